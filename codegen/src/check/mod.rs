@@ -1,0 +1,1 @@
+//! Lints: findings on a resolved model.

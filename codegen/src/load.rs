@@ -1,0 +1,1 @@
+//! Reads a profile's folder into texts.

@@ -1,0 +1,1 @@
+//! Joins rows with their bases and applies errata.

@@ -1,0 +1,166 @@
+//! The resolved drive: plain data, typed ids, no text that is an identifier of some output language.
+//!
+//! Everything after [`crate::resolve`] sees only this. A `Model` that passed [`crate::check`] without errors can be
+//! emitted by every backend.
+
+mod fact;
+mod id;
+mod parts;
+mod ty;
+mod unit;
+
+pub use fact::{Cite, Class, Fact, Origin, Place};
+pub use id::{Address, Arena, BitsId, EntryId, EnumId, ErratumId, Id, ObjectId};
+pub use parts::{
+    Access, Alarm, BitField, BitsDef, Drive, EnumDef, EnumValue, Erratum, Limits, Manual, Mapping, Reset,
+    Sure, Value,
+};
+pub use ty::Type;
+pub use unit::{Quantity, Unit, UnitError};
+
+use crate::name::Name;
+
+/// A drive.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Model {
+    /// Who made it, what it is called, and the versions of what is generated.
+    pub drive: Drive,
+    /// The documents that facts cite.
+    pub manuals: Vec<Manual>,
+    /// One for each index of the dictionary, ascending.
+    pub objects: Arena<ObjectId, Object>,
+    /// One for each index and sub-index, ascending by address.
+    pub entries: Arena<EntryId, Entry>,
+    /// Value tables, by name.
+    pub enums: Arena<EnumId, EnumDef>,
+    /// Bit tables, by name.
+    pub bits: Arena<BitsId, BitsDef>,
+    /// Default process data, by index.
+    pub pdos: Vec<Pdo>,
+    /// Faults and warnings, by number and display.
+    pub alarms: Vec<Alarm>,
+    /// Where the manual is wrong, in the order of the profile.
+    pub errata: Arena<ErratumId, Erratum>,
+}
+
+/// What an index holds.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum ObjectKind {
+    /// One value at sub-index 0.
+    Var,
+    /// Values of one type at sub-indexes 1.., their count at 0.
+    Array,
+    /// Values of several types, the highest sub-index at 0.
+    Record,
+}
+
+/// An index of the dictionary.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Object {
+    /// The index.
+    pub index: u16,
+    /// What it is called.
+    pub name: Fact<Name>,
+    /// Variable, array or record.
+    pub kind: Fact<ObjectKind>,
+    /// Its entries, ascending by sub-index; never empty.
+    pub entries: Vec<EntryId>,
+}
+
+/// An index and sub-index of the dictionary.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Entry {
+    /// Index and sub-index.
+    pub address: Address,
+    /// The index it belongs to.
+    pub object: ObjectId,
+    /// The printed name.
+    pub name: Fact<String>,
+    /// The name that generated code uses; unique by words among all entries.
+    pub handle: Name,
+    /// Type on the wire.
+    pub ty: Fact<Type>,
+    /// Who may do what over SDO.
+    pub access: Fact<Access>,
+    /// Which PDO direction may carry it; `None` where nobody says.
+    pub mapping: Option<Fact<Mapping>>,
+    /// Unit and factor of one count.
+    pub unit: Option<Fact<Unit>>,
+    /// Lowest raw value.
+    pub min: Option<Fact<i128>>,
+    /// Highest raw value.
+    pub max: Option<Fact<i128>>,
+    /// The only raw values allowed, where the manual lists them.
+    pub allow: Option<Fact<Vec<i128>>>,
+    /// Value after the first power-on or after restoring factory settings.
+    pub default: Option<Fact<Value>>,
+    /// Meaning of its values.
+    pub values: Option<Fact<EnumId>>,
+    /// Meaning of its bits.
+    pub bits: Option<Fact<BitsId>>,
+    /// What it is for, in our words.
+    pub text: Option<String>,
+    /// Why it may differ from the standard object of the same index.
+    pub deviation: Option<String>,
+}
+
+/// Direction of process data, seen from the drive.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Direction {
+    /// Received by the drive.
+    Rx,
+    /// Sent by the drive.
+    Tx,
+}
+
+/// A process data object with its default mapping.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Pdo {
+    /// Index of the mapping object, `1600h` or `1A00h` for the first ones.
+    pub index: u16,
+    /// Direction.
+    pub direction: Direction,
+    /// What it carries, in order.
+    pub entries: Vec<PdoEntry>,
+}
+
+impl Pdo {
+    /// Length of the default mapping in bits.
+    pub fn bits(&self) -> u32 {
+        self.entries.iter().map(|e| u32::from(e.bits.value)).sum()
+    }
+}
+
+/// A mapped entry.
+#[derive(Clone, PartialEq, Debug)]
+pub struct PdoEntry {
+    /// Place in the mapping, from 1.
+    pub position: u8,
+    /// The mapped entry.
+    pub entry: EntryId,
+    /// Its length as the mapping states it.
+    pub bits: Fact<u8>,
+}
+
+impl Model {
+    /// The entry at `address`.
+    pub fn entry(&self, address: Address) -> Option<(EntryId, &Entry)> {
+        let at = self.entries.as_slice().binary_search_by_key(&address, |e| e.address).ok()?;
+        let id = EntryId::at(at);
+        Some((id, &self.entries[id]))
+    }
+
+    /// The object at `index`.
+    pub fn object(&self, index: u16) -> Option<&Object> {
+        let at = self.objects.as_slice().binary_search_by_key(&index, |o| o.index).ok()?;
+        Some(&self.objects[ObjectId::at(at)])
+    }
+
+    /// The integer default of the entry at `address`, where one is known.
+    pub fn default_int(&self, address: Address) -> Option<i128> {
+        match self.entry(address)?.1.default.as_ref()?.value {
+            Value::Int(n) => Some(n),
+            Value::Text(_) => None,
+        }
+    }
+}

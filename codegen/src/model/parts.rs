@@ -1,0 +1,271 @@
+//! The smaller tables of a drive.
+
+use std::fmt;
+
+use super::{Address, Cite, Fact};
+use crate::name::Name;
+
+/// Who made the drive, and the versions of what is generated.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Drive {
+    /// Short id, `sdv3-e`: lower case, digits and `-`.
+    pub id: String,
+    /// Folder and crate name, `savch-sdv3-e`.
+    pub package: String,
+    /// Maker.
+    pub vendor: String,
+    /// Product name.
+    pub name: String,
+    /// Version of the generated crate.
+    pub crate_version: String,
+    /// `FileVersion` of the EDS.
+    pub eds_version: u8,
+    /// `FileRevision` of the EDS.
+    pub eds_revision: u8,
+    /// Date of the profile's last change, `2026-11-24`. A row of the profile, never the clock.
+    pub date: String,
+    /// Bases, in order.
+    pub bases: Vec<String>,
+    /// What a PDO may hold.
+    pub limits: Limits,
+}
+
+/// What a PDO may hold, where the manual says so.
+#[derive(Clone, Default, PartialEq, Debug)]
+pub struct Limits {
+    /// Most entries of one PDO.
+    pub pdo_entries: Option<Fact<u8>>,
+    /// Most bytes of one PDO.
+    pub pdo_bytes: Option<Fact<u16>>,
+    /// Most PDOs of one direction that can be active together.
+    pub pdos_per_direction: Option<Fact<u8>>,
+}
+
+/// A document that facts cite. The document itself is not part of the project.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Manual {
+    /// Id in citations.
+    pub id: String,
+    /// Title as printed.
+    pub title: String,
+    /// Version as printed.
+    pub version: String,
+    /// Date as printed.
+    pub date: Option<String>,
+    /// SHA-256 of the text extract, in hexadecimal.
+    pub sha256: String,
+    /// Lines of the text extract.
+    pub lines: u32,
+}
+
+/// SDO access.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Access {
+    /// Read only.
+    Ro,
+    /// Read and write.
+    Rw,
+    /// Write only.
+    Wo,
+    /// Read only, never changes.
+    Const,
+}
+
+impl Access {
+    /// The word of profiles and of EDS files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Ro => "ro",
+            Self::Rw => "rw",
+            Self::Wo => "wo",
+            Self::Const => "const",
+        }
+    }
+
+    /// Whether an upload can succeed.
+    pub fn reads(self) -> bool {
+        self != Self::Wo
+    }
+
+    /// Whether a download can succeed.
+    pub fn writes(self) -> bool {
+        matches!(self, Self::Rw | Self::Wo)
+    }
+}
+
+/// Which PDOs may carry an entry.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Mapping {
+    /// Process data that the drive receives.
+    pub rx: bool,
+    /// Process data that the drive sends.
+    pub tx: bool,
+}
+
+impl Mapping {
+    /// The word of profiles: `no`, `rx`, `tx` or `rx tx`.
+    pub fn word(self) -> &'static str {
+        match (self.rx, self.tx) {
+            (false, false) => "no",
+            (true, false) => "rx",
+            (false, true) => "tx",
+            (true, true) => "rx tx",
+        }
+    }
+
+    /// Whether any PDO may carry it.
+    pub fn any(self) -> bool {
+        self.rx || self.tx
+    }
+}
+
+/// A value that a profile can state.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Value {
+    /// A whole number; a boolean is 0 or 1.
+    Int(i128),
+    /// Text.
+    Text(String),
+}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Int(n) => write!(f, "{n}"),
+            Self::Text(t) => write!(f, "{t:?}"),
+        }
+    }
+}
+
+/// A table of named values.
+#[derive(Clone, PartialEq, Debug)]
+pub struct EnumDef {
+    /// Its name.
+    pub name: Name,
+    /// Values, ascending.
+    pub values: Vec<EnumValue>,
+}
+
+/// A named value.
+#[derive(Clone, PartialEq, Debug)]
+pub struct EnumValue {
+    /// The value.
+    pub value: i128,
+    /// Its name; unique by words in the table.
+    pub name: Fact<Name>,
+    /// What it does, in our words.
+    pub text: Option<String>,
+}
+
+/// A table of named bits.
+#[derive(Clone, PartialEq, Debug)]
+pub struct BitsDef {
+    /// Its name.
+    pub name: Name,
+    /// Fields, by mode, then ascending by bit.
+    pub fields: Vec<BitField>,
+}
+
+/// One or more bits with a name.
+#[derive(Clone, PartialEq, Debug)]
+pub struct BitField {
+    /// Lowest bit.
+    pub bit: u8,
+    /// How many bits.
+    pub width: u8,
+    /// Mode of operation (6060h) in which the bits have this meaning; `None`: in every mode.
+    pub mode: Option<i8>,
+    /// Its name; unique by words among the fields of its mode.
+    pub name: Fact<Name>,
+    /// What it does, in our words.
+    pub text: Option<String>,
+    /// Why it may differ from the standard.
+    pub deviation: Option<String>,
+}
+
+/// How an alarm is cleared.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Reset {
+    /// By a fault reset, once the cause is gone.
+    Resettable,
+    /// Not by a fault reset.
+    NotResettable,
+}
+
+impl Reset {
+    /// The word of profiles.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Resettable => "resettable",
+            Self::NotResettable => "not resettable",
+        }
+    }
+}
+
+/// A fault or warning. 603Fh is shared by several: the key is display and number.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Alarm {
+    /// What the panel shows.
+    pub display: String,
+    /// The maker's number.
+    pub number: Fact<u16>,
+    /// Error code, as 603Fh and the emergency message carry it.
+    pub code: Fact<u16>,
+    /// Auxiliary code of the emergency message.
+    pub aux: Option<Fact<u16>>,
+    /// Its name.
+    pub name: Fact<Name>,
+    /// How it is cleared; `None` where the manual does not say.
+    pub reset: Option<Fact<Reset>>,
+    /// Causes, in our words.
+    pub causes: Vec<Fact<String>>,
+    /// Remedies, in our words.
+    pub remedies: Vec<Fact<String>>,
+}
+
+/// How sure an erratum is.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Sure {
+    /// Nothing else fits.
+    High,
+    /// The likelier reading.
+    Medium,
+    /// A choice that a device must confirm.
+    Low,
+}
+
+impl Sure {
+    /// The word of profiles.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::High => "high",
+            Self::Medium => "medium",
+            Self::Low => "low",
+        }
+    }
+}
+
+/// Where the manual is wrong or contradicts itself.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Erratum {
+    /// Id, unique in the profile.
+    pub id: String,
+    /// Row that it concerns, as the profile writes it.
+    pub at: String,
+    /// The row's address, where it is an object.
+    pub address: Option<Address>,
+    /// Field of that row.
+    pub field: String,
+    /// What is printed.
+    pub was: String,
+    /// Where that is printed.
+    pub seen: Cite,
+    /// The value used instead; `None`: the printed value is kept.
+    pub set: Option<String>,
+    /// Where the other reading is printed.
+    pub by: Option<Cite>,
+    /// Why.
+    pub why: String,
+    /// How sure.
+    pub sure: Sure,
+}

@@ -1,0 +1,254 @@
+//! Units without floating point: a quantity and the exact value of one count.
+
+use std::fmt;
+
+use crate::limits;
+
+/// What is measured. The base unit of each is the one that `BASE` names.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Quantity {
+    /// Position in user units, which depend on the gear objects of the drive.
+    UserPosition,
+    /// Velocity in user units.
+    UserVelocity,
+    /// Acceleration in user units.
+    UserAcceleration,
+    /// Encoder counts.
+    Counts,
+    /// Angle in revolutions.
+    Angle,
+    /// Speed of rotation in r/min.
+    Velocity,
+    /// Acceleration in r/min per second.
+    Acceleration,
+    /// Time in seconds.
+    Time,
+    /// Torque as a share of rated torque.
+    TorqueRatio,
+    /// Torque in N m.
+    Torque,
+    /// Current as a share of rated current.
+    CurrentRatio,
+    /// Current in A.
+    Current,
+    /// Voltage in V.
+    Voltage,
+    /// Power in W.
+    Power,
+    /// Temperature in °C.
+    Temperature,
+    /// Frequency in Hz.
+    Frequency,
+    /// A share of something else.
+    Ratio,
+    /// Resistance in ohm.
+    Resistance,
+    /// Inductance in H.
+    Inductance,
+    /// Inertia in kg m².
+    Inertia,
+    /// Length in m.
+    Length,
+}
+
+/// Symbol in a profile, quantity, and how many base units one of it is.
+const SYMBOLS: &[(&str, Quantity, u32, u32)] = &[
+    ("user position", Quantity::UserPosition, 1, 1),
+    ("user velocity", Quantity::UserVelocity, 1, 1),
+    ("user acceleration", Quantity::UserAcceleration, 1, 1),
+    ("count", Quantity::Counts, 1, 1),
+    ("rev", Quantity::Angle, 1, 1),
+    ("deg", Quantity::Angle, 1, 360),
+    ("rpm", Quantity::Velocity, 1, 1),
+    ("rev/s", Quantity::Velocity, 60, 1),
+    ("rpm/s", Quantity::Acceleration, 1, 1),
+    ("rpm/ms", Quantity::Acceleration, 1_000, 1),
+    ("h", Quantity::Time, 3_600, 1),
+    ("min", Quantity::Time, 60, 1),
+    ("s", Quantity::Time, 1, 1),
+    ("ms", Quantity::Time, 1, 1_000),
+    ("us", Quantity::Time, 1, 1_000_000),
+    ("ns", Quantity::Time, 1, 1_000_000_000),
+    ("rated torque", Quantity::TorqueRatio, 1, 1),
+    ("% rated torque", Quantity::TorqueRatio, 1, 100),
+    ("N m", Quantity::Torque, 1, 1),
+    ("rated current", Quantity::CurrentRatio, 1, 1),
+    ("% rated current", Quantity::CurrentRatio, 1, 100),
+    ("A", Quantity::Current, 1, 1),
+    ("mA", Quantity::Current, 1, 1_000),
+    ("V", Quantity::Voltage, 1, 1),
+    ("mV", Quantity::Voltage, 1, 1_000),
+    ("W", Quantity::Power, 1, 1),
+    ("degC", Quantity::Temperature, 1, 1),
+    ("Hz", Quantity::Frequency, 1, 1),
+    ("kHz", Quantity::Frequency, 1_000, 1),
+    ("%", Quantity::Ratio, 1, 100),
+    ("ohm", Quantity::Resistance, 1, 1),
+    ("mH", Quantity::Inductance, 1, 1_000),
+    ("H", Quantity::Inductance, 1, 1),
+    ("kg m2", Quantity::Inertia, 1, 1),
+    ("kg cm2", Quantity::Inertia, 1, 10_000),
+    ("mm", Quantity::Length, 1, 1_000),
+    ("m", Quantity::Length, 1, 1),
+];
+
+impl Quantity {
+    /// Name of the marker type in the runtime, in words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::UserPosition => "user position",
+            Self::UserVelocity => "user velocity",
+            Self::UserAcceleration => "user acceleration",
+            Self::Counts => "counts",
+            Self::Angle => "angle",
+            Self::Velocity => "velocity",
+            Self::Acceleration => "acceleration",
+            Self::Time => "time",
+            Self::TorqueRatio => "torque ratio",
+            Self::Torque => "torque",
+            Self::CurrentRatio => "current ratio",
+            Self::Current => "current",
+            Self::Voltage => "voltage",
+            Self::Power => "power",
+            Self::Temperature => "temperature",
+            Self::Frequency => "frequency",
+            Self::Ratio => "ratio",
+            Self::Resistance => "resistance",
+            Self::Inductance => "inductance",
+            Self::Inertia => "inertia",
+            Self::Length => "length",
+        }
+    }
+}
+
+/// The unit of one count: `num / den` base units of `quantity`.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Unit {
+    /// As the profile writes it: `0.1 rpm`.
+    pub text: String,
+    /// What is measured.
+    pub quantity: Quantity,
+    /// Numerator, never 0.
+    pub num: u32,
+    /// Denominator, never 0.
+    pub den: u32,
+}
+
+/// Why a text is not a unit.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum UnitError {
+    /// The factor is not a positive decimal, fraction or whole number in bounds.
+    Factor(String),
+    /// No such symbol; with those that exist.
+    Symbol(String),
+}
+
+impl fmt::Display for UnitError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Factor(text) => write!(
+                f,
+                "`{text}` is no factor: write a number above 0 such as `10`, `0.1` or `1/360`, both parts at most {}",
+                limits::FACTOR
+            ),
+            Self::Symbol(text) => write!(f, "`{text}` is no unit symbol that drivewright knows"),
+        }
+    }
+}
+
+impl std::error::Error for UnitError {}
+
+impl Unit {
+    /// Reads `[factor] symbol`.
+    pub fn parse(text: &str) -> Result<Self, UnitError> {
+        let (factor, symbol) = match text.split_once(' ') {
+            Some((first, rest))
+                if first.starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '.') =>
+            {
+                (first, rest)
+            }
+            _ => ("1", text),
+        };
+        let (num, den) = parse_factor(factor).ok_or_else(|| UnitError::Factor(factor.to_owned()))?;
+        let (_, quantity, n, d) = SYMBOLS
+            .iter()
+            .find(|s| s.0 == symbol.trim())
+            .ok_or_else(|| UnitError::Symbol(symbol.trim().to_owned()))?;
+        let (num, den) = reduce(num * u64::from(*n), den * u64::from(*d));
+        let bounded = |n: u64| u32::try_from(n).ok().filter(|n| *n <= limits::FACTOR);
+        match (bounded(num), bounded(den)) {
+            (Some(num), Some(den)) => Ok(Self { text: text.to_owned(), quantity: *quantity, num, den }),
+            _ => Err(UnitError::Factor(factor.to_owned())),
+        }
+    }
+
+    /// Every symbol, for messages and the schema.
+    pub fn symbols() -> impl Iterator<Item = &'static str> {
+        SYMBOLS.iter().map(|s| s.0)
+    }
+}
+
+impl fmt::Display for Unit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+fn parse_factor(text: &str) -> Option<(u64, u64)> {
+    let whole = |t: &str| -> Option<u64> {
+        let digits = !t.is_empty() && t.bytes().all(|b| b.is_ascii_digit());
+        t.parse::<u64>().ok().filter(|n| digits && *n <= u64::from(limits::FACTOR))
+    };
+    let (num, den) = if let Some((n, d)) = text.split_once('/') {
+        (whole(n)?, whole(d)?)
+    } else if let Some((int, frac)) = text.split_once('.') {
+        let den = 10u64.checked_pow(u32::try_from(frac.len()).ok()?)?;
+        let num = whole(int)?.checked_mul(den)?.checked_add(whole(frac)?)?;
+        (num, den)
+    } else {
+        (whole(text)?, 1)
+    };
+    let (num, den) = (num != 0 && den != 0).then(|| reduce(num, den))?;
+    (num <= limits::FACTOR.into() && den <= limits::FACTOR.into()).then_some((num, den))
+}
+
+fn reduce(num: u64, den: u64) -> (u64, u64) {
+    let (mut a, mut b) = (num, den);
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    (num / a.max(1), den / a.max(1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn factors_are_exact() {
+        let unit = Unit::parse("0.1 rpm").unwrap();
+        assert_eq!((unit.quantity, unit.num, unit.den), (Quantity::Velocity, 1, 10));
+        let unit = Unit::parse("0.1 % rated torque").unwrap();
+        assert_eq!((unit.quantity, unit.num, unit.den), (Quantity::TorqueRatio, 1, 1_000));
+        let unit = Unit::parse("1/65536 rev").unwrap();
+        assert_eq!((unit.num, unit.den), (1, 65_536));
+        assert_eq!(Unit::parse("user position").unwrap().quantity, Quantity::UserPosition);
+    }
+
+    #[test]
+    fn nothing_divides_by_zero() {
+        for bad in [
+            "0 rpm",
+            "1/0 rpm",
+            "0.0 rpm",
+            "-1 rpm",
+            "1e9 rpm",
+            "99999999999999999999 rpm",
+            ". rpm",
+            "furlong",
+        ] {
+            assert!(Unit::parse(bad).is_err(), "{bad}");
+        }
+    }
+}

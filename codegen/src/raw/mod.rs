@@ -1,0 +1,1 @@
+//! One tree for every input format: rows of keys and values, each with its place.

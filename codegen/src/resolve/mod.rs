@@ -1,0 +1,1 @@
+//! Turns merged rows into a model.

@@ -1,0 +1,1 @@
+//! JSON schema of the profile format, generated from the row types.

@@ -1,0 +1,163 @@
+//! Input texts and places in them.
+//!
+//! Every value that a profile states keeps a [`Span`], so that each diagnostic can point at it. Nothing here touches the
+//! file system: [`crate::load`] and [`crate::build`] do, and hand texts over.
+
+use std::fmt;
+
+/// A file of the run, by its position in the [`SourceMap`].
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct FileId(u32);
+
+/// A place in a file: bytes `start..end`.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Span {
+    /// The file.
+    pub file: FileId,
+    /// First byte.
+    pub start: u32,
+    /// One past the last byte.
+    pub end: u32,
+}
+
+impl Span {
+    /// A span of `file` over `range` of bytes.
+    pub fn new(file: FileId, range: std::ops::Range<usize>) -> Self {
+        let clamp = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
+        Self { file, start: clamp(range.start), end: clamp(range.end) }
+    }
+
+    /// The empty span at the start of `file`, for findings that concern a file as a whole.
+    pub fn whole(file: FileId) -> Self {
+        Self { file, start: 0, end: 0 }
+    }
+
+    /// The bytes covered.
+    pub fn range(self) -> std::ops::Range<usize> {
+        self.start as usize..self.end as usize
+    }
+}
+
+/// A value and where it stands. Equality and order look at the value only: two equal facts from two places are equal.
+#[derive(Clone, Copy, Debug)]
+pub struct Sp<T> {
+    /// The value.
+    pub value: T,
+    /// Where it stands.
+    pub span: Span,
+}
+
+impl<T> Sp<T> {
+    /// Joins a value with its place.
+    pub fn new(value: T, span: Span) -> Self {
+        Self { value, span }
+    }
+
+    /// Keeps the place and changes the value.
+    pub fn map<U>(self, f: impl FnOnce(T) -> U) -> Sp<U> {
+        Sp { value: f(self.value), span: self.span }
+    }
+
+    /// Borrows the value.
+    pub fn as_ref(&self) -> Sp<&T> {
+        Sp { value: &self.value, span: self.span }
+    }
+}
+
+impl<T: PartialEq> PartialEq for Sp<T> {
+    fn eq(&self, other: &Self) -> bool {
+        self.value == other.value
+    }
+}
+
+impl<T: Eq> Eq for Sp<T> {}
+
+/// One input text.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Source {
+    /// Path with `/` between its parts, relative to the profile's folder (`objects.toml`) or, for a base,
+    /// `standard/<base>/<file>`. Diagnostics print it; output never holds it.
+    pub path: String,
+    /// The whole text.
+    pub text: String,
+}
+
+/// All texts of a run. Ids are given in the order of adding.
+#[derive(Clone, Default, Debug)]
+pub struct SourceMap {
+    files: Vec<Source>,
+}
+
+impl SourceMap {
+    /// Adds a text.
+    pub fn add(&mut self, path: impl Into<String>, text: impl Into<String>) -> FileId {
+        let id = FileId(u32::try_from(self.files.len()).unwrap_or(u32::MAX));
+        self.files.push(Source { path: path.into(), text: text.into() });
+        id
+    }
+
+    /// The text of `file`.
+    pub fn text(&self, file: FileId) -> &str {
+        self.files.get(file.0 as usize).map_or("", |f| f.text.as_str())
+    }
+
+    /// The path of `file`.
+    pub fn path(&self, file: FileId) -> &str {
+        self.files.get(file.0 as usize).map_or("", |f| f.path.as_str())
+    }
+
+    /// Every file with its id.
+    pub fn iter(&self) -> impl Iterator<Item = (FileId, &Source)> {
+        (0..).map(FileId).zip(&self.files)
+    }
+
+    /// Line and column of a byte, both from 1; the column counts characters.
+    pub fn line_column(&self, file: FileId, byte: u32) -> LineColumn {
+        let text = self.text(file);
+        let before = text.get(..byte as usize).unwrap_or(text);
+        let line_start = before.rfind('\n').map_or(0, |i| i + 1);
+        LineColumn {
+            line: before.bytes().filter(|b| *b == b'\n').count() + 1,
+            column: before[line_start..].chars().count() + 1,
+        }
+    }
+
+    /// `path:line:column` of a span's start.
+    pub fn place(&self, span: Span) -> String {
+        format!("{}:{}", self.path(span.file), self.line_column(span.file, span.start))
+    }
+}
+
+/// A human's place in a text, counted from 1.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct LineColumn {
+    /// Line.
+    pub line: usize,
+    /// Column, in characters.
+    pub column: usize,
+}
+
+impl fmt::Display for LineColumn {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}", self.line, self.column)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_count_characters() {
+        let mut map = SourceMap::default();
+        let file = map.add("a.toml", "x = 1\nµé = 2\n");
+        assert_eq!(map.place(Span::new(file, 11..12)), "a.toml:2:4");
+    }
+
+    #[test]
+    fn equality_ignores_the_place() {
+        let mut map = SourceMap::default();
+        let file = map.add("a", "");
+        assert_eq!(Sp::new(1, Span::new(file, 0..1)), Sp::new(1, Span::new(file, 5..6)));
+    }
+}
