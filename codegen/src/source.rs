@@ -32,6 +32,11 @@ impl Span {
         Self { file, start: 0, end: 0 }
     }
 
+    /// No place at all, for a profile without files.
+    pub fn nowhere() -> Self {
+        Self::whole(FileId(u32::MAX))
+    }
+
     /// The bytes covered.
     pub fn range(self) -> std::ops::Range<usize> {
         self.start as usize..self.end as usize

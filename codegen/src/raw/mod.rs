@@ -1,1 +1,92 @@
-//! One tree for every input format: rows of keys and values, each with its place.
+//! One tree for every input format: tables of rows of keys and values, each with its place.
+//!
+//! A reader ([`toml`]) makes it, [`crate::rows`] decodes it. Nothing here knows what a key means.
+
+pub mod toml;
+
+use crate::source::{Sp, Span};
+
+/// What a value can be. There are no floating-point numbers: a profile is exact.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum RawValue {
+    /// Text.
+    Text(String),
+    /// A whole number, in any notation.
+    Int(i128),
+    /// `true` or `false`.
+    Bool(bool),
+    /// A list.
+    List(Vec<Sp<RawValue>>),
+    /// Something that no field takes, with its name; the reader has reported it where it is wrong by itself.
+    Other(&'static str),
+}
+
+impl RawValue {
+    /// What it is, for messages.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Text(_) => "text",
+            Self::Int(_) => "a whole number",
+            Self::Bool(_) => "true or false",
+            Self::List(_) => "a list",
+            Self::Other(kind) => kind,
+        }
+    }
+}
+
+impl std::fmt::Display for RawValue {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Text(t) => write!(f, "{t:?}"),
+            Self::Int(n) => write!(f, "{n}"),
+            Self::Bool(b) => write!(f, "{b}"),
+            Self::List(items) => {
+                let items: Vec<String> = items.iter().map(|i| i.value.to_string()).collect();
+                write!(f, "[{}]", items.join(", "))
+            }
+            Self::Other(kind) => f.write_str(kind),
+        }
+    }
+}
+
+/// A key and its value.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct RawField {
+    /// The key.
+    pub key: Sp<String>,
+    /// The value.
+    pub value: Sp<RawValue>,
+}
+
+/// A row: a fact with its keys, in the order written.
+#[derive(Clone, Debug)]
+pub struct RawRow {
+    /// The whole row.
+    pub span: Span,
+    /// Its fields.
+    pub fields: Vec<RawField>,
+}
+
+impl RawRow {
+    /// The value of `key`.
+    pub fn get(&self, key: &str) -> Option<&Sp<RawValue>> {
+        self.fields.iter().find(|f| f.key.value == key).map(|f| &f.value)
+    }
+
+    /// Replaces or adds the value of `key`.
+    pub fn set(&mut self, key: &str, value: Sp<RawValue>) {
+        match self.fields.iter_mut().find(|f| f.key.value == key) {
+            Some(field) => field.value = value,
+            None => self.fields.push(RawField { key: Sp::new(key.to_owned(), value.span), value }),
+        }
+    }
+}
+
+/// A table: rows of one kind.
+#[derive(Clone, Debug)]
+pub struct RawTable {
+    /// Its name.
+    pub name: Sp<String>,
+    /// Its rows, in the order written.
+    pub rows: Vec<RawRow>,
+}

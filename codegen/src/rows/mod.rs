@@ -1,1 +1,63 @@
 //! The rows of each table, decoded from the raw tree.
+//!
+//! [`tables`] lists every table once: the row structs, their decoder, the documentation of each key and the JSON schema
+//! all come from that list. A row with a bad value is reported and left out; the other rows go on.
+
+pub mod cite;
+mod decode;
+pub mod tables;
+pub mod value;
+
+pub(crate) use decode::suggest;
+pub use decode::{Decoder, Expected, FieldInfo, Kind, TableInfo};
+pub use tables::Rows;
+
+use crate::diag::Sink;
+use crate::raw::RawRow;
+use crate::source::Span;
+
+/// A change that an erratum made to a row, or a value that it explains.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Fix {
+    /// The key.
+    pub key: String,
+    /// Place of the erratum in the profile's list.
+    pub erratum: usize,
+    /// Whether the value was changed.
+    pub set: bool,
+}
+
+/// What every row has besides its fields.
+#[derive(Clone, Debug)]
+pub struct Meta {
+    /// The row as read, so that errata can compare and replace values.
+    pub raw: RawRow,
+    /// What errata did.
+    pub fixes: Vec<Fix>,
+}
+
+impl Meta {
+    /// The whole row.
+    pub fn span(&self) -> Span {
+        self.raw.span
+    }
+
+    /// What an erratum did to `key`.
+    pub fn fix(&self, key: &str) -> Option<&Fix> {
+        self.fixes.iter().find(|f| f.key == key)
+    }
+}
+
+/// A row type.
+pub trait Row: Sized {
+    /// Its table.
+    const TABLE: TableInfo;
+    /// Decodes a row; `None` when something in it is wrong, which is then in `sink`.
+    fn decode(raw: RawRow, sink: &mut Sink) -> Option<Self>;
+    /// How errata, allowances and messages name the row.
+    fn key(&self) -> String;
+    /// What it has besides its fields.
+    fn meta(&self) -> &Meta;
+    /// The same, to change it.
+    fn meta_mut(&mut self) -> &mut Meta;
+}

@@ -1,0 +1,169 @@
+//! Applies errata: each must match exactly one row and the value that is printed there.
+
+use crate::diag::{Diagnostic, Sink, code};
+use crate::rows::tables::ErratumRow;
+use crate::rows::value::At;
+use crate::rows::{Fix, Row, Rows, suggest};
+use crate::source::Sp;
+
+/// Applies every erratum of `rows` to the row that it names.
+pub(super) fn apply(rows: &mut Rows, sink: &mut Sink) {
+    let errata = std::mem::take(&mut rows.errata);
+    for (place, erratum) in errata.iter().enumerate() {
+        if let Some(first) = errata[..place].iter().find(|e| e.id == erratum.id) {
+            super::duplicate(erratum, first, sink);
+        }
+        let fix = Fixing { erratum, place, errata: &errata };
+        let at = normal(&erratum.at.value.0);
+        let found = fix.table(&at, &mut rows.drive, sink)
+            + fix.table(&at, &mut rows.objects, sink)
+            + fix.table(&at, &mut rows.enums, sink)
+            + fix.table(&at, &mut rows.bits, sink)
+            + fix.table(&at, &mut rows.alarms, sink)
+            + fix.table(&at, &mut rows.pdo, sink);
+        if found != 1 && !rows.left_out.contains(&erratum.at.value.0) {
+            target(erratum, found, &keys(rows), sink);
+        }
+    }
+    rows.errata = errata;
+}
+
+/// An address as rows name themselves, whatever its case.
+fn normal(at: &str) -> String {
+    At::parse(at).map_or_else(|| at.to_owned(), |at| at.to_string())
+}
+
+fn keys(rows: &Rows) -> Vec<String> {
+    let objects = rows.objects.iter().map(Row::key);
+    let alarms = rows.alarms.iter().map(Row::key);
+    let pdos = rows.pdo.iter().map(Row::key);
+    objects.chain(alarms).chain(pdos).take(1_000).collect()
+}
+
+fn target(erratum: &ErratumRow, found: usize, keys: &[String], sink: &mut Sink) {
+    let at = &erratum.at.value.0;
+    let known: Vec<&str> = keys.iter().map(String::as_str).collect();
+    let (message, help) = if found == 0 {
+        (format!("no row `{at}`"), suggest(at, &known))
+    } else {
+        (format!("{found} rows are `{at}`"), "an erratum names one row".to_owned())
+    };
+    sink.push(
+        Diagnostic::new(code::ERRATUM_TARGET, erratum.at.span, message)
+            .why("a correction that matches nothing has been overtaken, or never worked")
+            .help(help),
+    );
+}
+
+struct Fixing<'a> {
+    erratum: &'a ErratumRow,
+    place: usize,
+    errata: &'a [ErratumRow],
+}
+
+impl Fixing<'_> {
+    /// Applies the erratum to the rows of a table that have its key; how many those are.
+    fn table<R: Row>(&self, at: &str, rows: &mut [R], sink: &mut Sink) -> usize {
+        let mut found = 0;
+        for row in rows.iter_mut().filter(|r| r.key() == at) {
+            found += 1;
+            if found == 1 {
+                self.row(row, sink);
+            }
+        }
+        found
+    }
+
+    fn row<R: Row>(&self, row: &mut R, sink: &mut Sink) {
+        if !self.field_exists(R::TABLE.fields.iter().map(|f| f.key), R::TABLE.name, sink)
+            || !self.expectation_holds(row, sink)
+            || !self.is_first(row, sink)
+        {
+            return;
+        }
+        let field = self.erratum.field.value.0.clone();
+        let mut fixes = row.meta().fixes.clone();
+        fixes.push(Fix { key: field.clone(), erratum: self.place, set: self.erratum.set.is_some() });
+        if let Some(set) = &self.erratum.set {
+            let mut raw = row.meta().raw.clone();
+            raw.set(&field, Sp::new(set.value.clone(), set.span));
+            // What is wrong with the new value is reported at the erratum, where it stands.
+            let Some(fixed) = R::decode(raw, sink) else { return };
+            *row = fixed;
+        }
+        row.meta_mut().fixes = fixes;
+    }
+
+    fn field_exists(&self, fields: impl Iterator<Item = &'static str>, table: &str, sink: &mut Sink) -> bool {
+        let known: Vec<&str> = fields.collect();
+        let field = &self.erratum.field;
+        if known.contains(&field.value.0.as_str()) {
+            return true;
+        }
+        sink.push(
+            Diagnostic::new(
+                code::NAMED_FIELD,
+                field.span,
+                format!("`{table}` has no key `{}`", field.value.0),
+            )
+            .why("an erratum corrects one key of one row")
+            .help(suggest(&field.value.0, &known)),
+        );
+        false
+    }
+
+    fn expectation_holds<R: Row>(&self, row: &R, sink: &mut Sink) -> bool {
+        let (field, was) = (&self.erratum.field.value.0, &self.erratum.was);
+        // The value before an earlier erratum changed it is what is printed; `is_first` reports that case.
+        if row.meta().fix(field).is_some_and(|f| f.set) {
+            return true;
+        }
+        let found = row.meta().raw.get(field);
+        if found.is_some_and(|f| f.value == was.value) {
+            return true;
+        }
+        let shown = found.map_or_else(|| "not stated".to_owned(), |f| f.value.to_string());
+        sink.push(
+            Diagnostic::new(
+                code::ERRATUM_WAS,
+                was.span,
+                format!("`{}` of `{}` is {shown}, not {}", field, row.key(), was.value),
+            )
+            .related(found.map_or(row.meta().span(), |f| f.span), "the row says this")
+            .why("an erratum holds for the printed value that it was written against, and for no other")
+            .help("look at the manual again: correct `was`, or remove the erratum"),
+        );
+        false
+    }
+
+    fn is_first<R: Row>(&self, row: &R, sink: &mut Sink) -> bool {
+        let field = &self.erratum.field.value.0;
+        let earlier = row.meta().fix(field).filter(|f| f.set && self.erratum.set.is_some());
+        if let Some(earlier) = earlier {
+            sink.push(
+                Diagnostic::new(
+                    code::ERRATUM_TWICE,
+                    self.erratum.id.span,
+                    format!("`{field}` of `{}` is changed a second time", row.key()),
+                )
+                .related(self.errata[earlier.erratum].id.span, "changed here first")
+                .why("of two corrections of one value at most one can be right")
+                .help("keep one of them"),
+            );
+            return false;
+        }
+        self.changes_something(sink)
+    }
+
+    fn changes_something(&self, sink: &mut Sink) -> bool {
+        let same = self.erratum.set.as_ref().filter(|set| set.value == self.erratum.was.value);
+        if let Some(set) = same {
+            sink.push(
+                Diagnostic::new(code::ERRATUM_NO_CHANGE, set.span, "`set` is the value that is printed")
+                    .why("a correction that changes nothing hides what it is for")
+                    .help("leave `set` out to keep the printed value and record the contradiction"),
+            );
+        }
+        same.is_none()
+    }
+}

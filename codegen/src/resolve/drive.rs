@@ -1,0 +1,101 @@
+//! The drive, its manuals and its errata.
+
+use super::origin::Says;
+use crate::diag::{Diagnostic, Sink, code};
+use crate::merge::Profile;
+use crate::model::{Address, Arena, Cite, Drive, Erratum, ErratumId, Limits, Manual};
+use crate::rows::suggest;
+use crate::rows::tables::{DriveRow, ErratumRow};
+use crate::rows::value::{At, Sub};
+use crate::source::Sp;
+
+pub(super) fn drive(row: &DriveRow, errata: &[ErratumRow]) -> Drive {
+    let says = Says::plain(&row.meta, row.pdo_src.as_ref(), errata);
+    let limits = Limits {
+        pdo_entries: row.pdo_entries.map(|v| says.fact("pdo_entries", v)),
+        pdo_bytes: row.pdo_bytes.map(|v| says.fact("pdo_bytes", v)),
+        pdos_per_direction: row.pdos_per_direction.map(|v| says.fact("pdos_per_direction", v)),
+    };
+    Drive {
+        id: row.id.value.0.clone(),
+        package: format!("{}-{}", row.vendor_id.value.0, row.id.value.0),
+        vendor: row.vendor.value.0.clone(),
+        name: row.name.value.0.clone(),
+        crate_version: row.crate_version.value.0.clone(),
+        eds_version: row.eds_version.value,
+        eds_revision: row.eds_revision.value,
+        date: row.date.value.0.clone(),
+        bases: row.bases.iter().flat_map(|b| b.value.iter().map(|b| b.0.clone())).collect(),
+        limits,
+    }
+}
+
+/// The manuals; a citation of one that is not listed is reported here.
+pub(super) fn manuals(profile: &Profile, sink: &mut Sink) -> Vec<Manual> {
+    let rows = &profile.rows.manuals;
+    for (place, row) in rows.iter().enumerate() {
+        if let Some(first) = rows[..place].iter().find(|r| r.id == row.id) {
+            crate::merge::duplicate(row, first, sink);
+        }
+    }
+    let known: Vec<&str> = rows.iter().map(|m| m.id.value.0.as_str()).collect();
+    for cite in citations(profile) {
+        check_manuals(cite, &known, sink);
+    }
+    rows.iter()
+        .map(|row| Manual {
+            id: row.id.value.0.clone(),
+            title: row.title.value.0.clone(),
+            version: row.version.value.0.clone(),
+            date: row.date.as_ref().map(|d| d.value.0.clone()),
+            sha256: row.sha256.value.0.clone(),
+            lines: row.lines.value,
+        })
+        .collect()
+}
+
+fn citations(profile: &Profile) -> impl Iterator<Item = &Sp<Cite>> {
+    let rows = &profile.rows;
+    let drive = rows.drive.iter().filter_map(|r| r.pdo_src.as_ref());
+    let objects = rows.objects.iter().filter_map(|r| r.src.as_ref());
+    let enums = rows.enums.iter().filter_map(|r| r.src.as_ref());
+    let bits = rows.bits.iter().filter_map(|r| r.src.as_ref());
+    let alarms = rows.alarms.iter().flat_map(|r| r.src.iter().chain(&r.detail));
+    let pdo = rows.pdo.iter().filter_map(|r| r.src.as_ref());
+    let errata = rows.errata.iter().flat_map(|r| std::iter::once(&r.seen).chain(&r.by));
+    drive.chain(objects).chain(enums).chain(bits).chain(alarms).chain(pdo).chain(errata)
+}
+
+fn check_manuals(cite: &Sp<Cite>, known: &[&str], sink: &mut Sink) {
+    let unknown = |p: &&crate::model::Place| p.manual.as_deref().is_some_and(|m| !known.contains(&m));
+    if let Some(manual) = cite.value.places.iter().find(unknown).and_then(|p| p.manual.as_deref()) {
+        sink.push(
+            Diagnostic::new(code::UNKNOWN_MANUAL, cite.span, format!("there is no manual `{manual}`"))
+                .why("a citation names a document of the table `manuals`")
+                .help(suggest(manual, known)),
+        );
+    }
+}
+
+pub(super) fn errata(profile: &Profile) -> Arena<ErratumId, Erratum> {
+    Arena::new(profile.rows.errata.iter().map(erratum).collect())
+}
+
+fn erratum(row: &ErratumRow) -> Erratum {
+    let at = row.at.value.0.clone();
+    Erratum {
+        id: row.id.value.0.clone(),
+        address: match At::parse(&at) {
+            Some(At { index, sub: Sub::One(sub) }) => Some(Address::new(index, sub)),
+            _ => None,
+        },
+        at,
+        field: row.field.value.0.clone(),
+        was: row.was.value.to_string(),
+        seen: row.seen.value.clone(),
+        set: row.set.as_ref().map(|s| s.value.to_string()),
+        by: row.by.as_ref().map(|b| b.value.clone()),
+        why: row.why.value.0.clone(),
+        sure: row.sure.value,
+    }
+}

@@ -1,0 +1,58 @@
+//! Names are unique by words in their scope: a clash asks for `rename`, because a suffix would move when rows are added.
+
+use std::collections::BTreeMap;
+
+use crate::diag::{Diagnostic, Sink, code};
+use crate::model::Model;
+use crate::name::{Case, Name};
+use crate::source::Span;
+
+/// Reports every clash in every scope.
+pub(super) fn check_unique(model: &Model, sink: &mut Sink) {
+    let handles = model.entries.iter().map(|(_, e)| (&e.handle, e.name.span()));
+    scope("objects", handles, Case::Snake, sink);
+    let enums = model.enums.iter().filter_map(|(_, e)| e.values.first().map(|v| (&e.name, v.name.span())));
+    let bits = model.bits.iter().filter_map(|(_, b)| b.fields.first().map(|f| (&b.name, f.name.span())));
+    scope("value and bit tables", enums.chain(bits), Case::Pascal, sink);
+    for (_, table) in model.enums.iter() {
+        scope(
+            &format!("values of `{}`", table.name),
+            table.values.iter().map(|v| (&v.name.value, v.name.span())),
+            Case::Snake,
+            sink,
+        );
+    }
+    for (_, table) in model.bits.iter() {
+        let modes: std::collections::BTreeSet<Option<i8>> = table.fields.iter().map(|f| f.mode).collect();
+        for mode in modes {
+            // Bits of a mode stand beside those of every mode.
+            let fields = table.fields.iter().filter(|f| f.mode == mode || f.mode.is_none());
+            scope(
+                &format!("bits of `{}`", table.name),
+                fields.map(|f| (&f.name.value, f.name.span())),
+                Case::Snake,
+                sink,
+            );
+        }
+    }
+    scope("alarms", model.alarms.iter().map(|a| (&a.name.value, a.name.span())), Case::Snake, sink);
+}
+
+/// Two names clash when they look the same in the case in which code writes them.
+fn scope<'a>(what: &str, names: impl Iterator<Item = (&'a Name, Span)>, case: Case, sink: &mut Sink) {
+    let mut seen: BTreeMap<String, (&Name, Span)> = BTreeMap::new();
+    for (name, span) in names {
+        let key = name.to_case(case);
+        let Some((first, at)) = seen.get(&key) else {
+            seen.insert(key, (name, span));
+            continue;
+        };
+        sink.push(
+            Diagnostic::new(code::NAME_CLASH, span, format!("`{name}` and `{first}` are one name among {what}"))
+                .label(format!("`{key}` again"))
+                .related(*at, "first here")
+                .why("a number behind one of them would change its meaning when a row is added, and break users in silence")
+                .help("give one of the rows `rename = \"...\"`"),
+        );
+    }
+}

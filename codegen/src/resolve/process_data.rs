@@ -1,0 +1,65 @@
+//! Default PDO mappings.
+
+use std::collections::BTreeMap;
+
+use super::origin::Says;
+use crate::diag::{Diagnostic, Sink, code};
+use crate::limits;
+use crate::merge::Profile;
+use crate::model::{Direction, Model, Pdo, PdoEntry};
+use crate::rows::tables::PdoRow;
+
+pub(super) fn pdos(profile: &Profile, model: &Model, sink: &mut Sink) -> Vec<Pdo> {
+    let mut groups: BTreeMap<u16, Vec<&PdoRow>> = BTreeMap::new();
+    for row in &profile.rows.pdo {
+        groups.entry(row.map.value).or_default().push(row);
+    }
+    if let Some(row) = profile.rows.pdo.first().filter(|_| groups.len() > limits::PDOS) {
+        sink.push(
+            Diagnostic::new(code::TOO_LONG, row.meta.span(), format!("{} PDOs", groups.len()))
+                .why(format!("a drive has at most {}", limits::PDOS))
+                .help("check the column `map`"),
+        );
+        return Vec::new();
+    }
+    groups.into_iter().map(|(index, rows)| pdo(index, rows, profile, model, sink)).collect()
+}
+
+fn pdo(index: u16, mut rows: Vec<&PdoRow>, profile: &Profile, model: &Model, sink: &mut Sink) -> Pdo {
+    rows.sort_by_key(|r| (r.pos.value, r.meta.span()));
+    for pair in rows.windows(2).filter(|p| p[0].pos.value == p[1].pos.value) {
+        crate::merge::duplicate(pair[1], pair[0], sink);
+    }
+    let direction = direction(index, &rows, sink);
+    let entries = rows.iter().filter_map(|row| mapped(row, profile, model, sink)).collect();
+    Pdo { index, direction, entries }
+}
+
+fn direction(index: u16, rows: &[&PdoRow], sink: &mut Sink) -> Direction {
+    let first = rows[0];
+    for row in rows.iter().filter(|r| r.dir != first.dir) {
+        sink.push(
+            Diagnostic::new(code::BAD_VALUE, row.dir.span, format!("PDO {index:04X} has two directions"))
+                .related(first.dir.span, "the other one")
+                .why("a PDO is either received or sent")
+                .help("correct `dir` or `map`"),
+        );
+    }
+    first.dir.value
+}
+
+fn mapped(row: &PdoRow, profile: &Profile, model: &Model, sink: &mut Sink) -> Option<PdoEntry> {
+    let address = row.entry.value;
+    let says = Says::plain(&row.meta, row.src.as_ref(), &profile.rows.errata);
+    if let Some((entry, _)) = model.entry(address) {
+        return Some(PdoEntry { position: row.pos.value, entry, bits: says.fact("bits", row.bits) });
+    }
+    if !profile.rows.left_out.iter().any(|at| at.eq_ignore_ascii_case(&address.to_string())) {
+        sink.push(
+            Diagnostic::new(code::UNKNOWN_OBJECT, row.entry.span, format!("there is no object {address}"))
+                .why("a PDO can carry only what the dictionary has")
+                .help("add a row to `objects`, or correct the address"),
+        );
+    }
+    None
+}

@@ -1,0 +1,452 @@
+//! The kinds of values that keys take.
+
+use super::decode::{Expected, Kind, suggest};
+use crate::diag::code;
+use crate::emit::escape::is_hidden;
+use crate::limits;
+use crate::model::{
+    Access, Address, Direction, Mapping, ObjectKind, Reset, Sure, Type, Unit, UnitError, Value,
+};
+use crate::name::Name;
+use crate::raw::RawValue;
+
+/// A value that a key takes.
+pub trait FromRaw: Sized {
+    /// What it is, for messages and the schema.
+    const KIND: Kind;
+    /// Reads it.
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected>;
+}
+
+/// Text that a person reads: not empty, no hidden characters, of bounded length.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Text(pub String);
+
+impl FromRaw for Text {
+    const KIND: Kind = Kind::Text(None);
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        checked_text(raw, limits::TEXT_BYTES).map(|t| Self(t.to_owned()))
+    }
+}
+
+fn checked_text(raw: &RawValue, most: usize) -> Result<&str, Expected> {
+    let RawValue::Text(text) = raw else { return Err(Expected::kind(raw, "text in quotes")) };
+    if let Some(c) = text.chars().find(|c| is_hidden(*c)) {
+        return Err(Expected {
+            code: code::HIDDEN_CHARACTER,
+            message: format!("the text holds {}", c.escape_unicode()),
+            why: "control, bidirectional and zero-width characters can make a text read as what it is not"
+                .into(),
+            help: "remove the character; one row is one line of text".into(),
+        });
+    }
+    if text.len() > most {
+        return Err(Expected {
+            code: code::TOO_LONG,
+            message: format!("the text has {} bytes", text.len()),
+            why: format!("at most {most} bytes fit every output format"),
+            help: "say it shorter".into(),
+        });
+    }
+    if text.trim().is_empty() {
+        return Err(bad(
+            "the text is empty",
+            "silence is stated by leaving the key out",
+            "write a text, or remove the key",
+        ));
+    }
+    Ok(text)
+}
+
+fn bad(message: impl Into<String>, why: &str, help: impl Into<String>) -> Expected {
+    Expected { code: code::BAD_VALUE, message: message.into(), why: why.into(), help: help.into() }
+}
+
+impl FromRaw for Name {
+    const KIND: Kind = Kind::Text(None);
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        let text = checked_text(raw, limits::NAME_BYTES)?;
+        Self::new(text).ok_or_else(|| Expected {
+            code: code::NAME_EMPTY,
+            message: format!("`{text}` has no ASCII letter or digit"),
+            why: "names of generated code are made of them".into(),
+            help: "write an English name".into(),
+        })
+    }
+}
+
+/// A short id: lower-case letters, digits and `-`, starting with a letter.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Ident(pub String);
+
+impl FromRaw for Ident {
+    const KIND: Kind = Kind::Text(Some("^[a-z][a-z0-9-]{0,63}$"));
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        let text = checked_text(raw, 64)?;
+        let ok = text.starts_with(|c: char| c.is_ascii_lowercase())
+            && text.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-');
+        ok.then(|| Self(text.to_owned())).ok_or_else(|| {
+            bad(
+                format!("`{text}` is no id"),
+                "ids become folder and crate names",
+                "use lower-case letters, digits and `-`, and start with a letter",
+            )
+        })
+    }
+}
+
+/// A date, `2026-11-24`.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Date(pub String);
+
+impl FromRaw for Date {
+    const KIND: Kind = Kind::Text(Some("^[0-9]{4}-[0-9]{2}-[0-9]{2}$"));
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        let text = checked_text(raw, 10)?;
+        let part = |range: std::ops::Range<usize>| text.get(range).and_then(|p| p.parse::<u8>().ok());
+        let shape = text.len() == 10
+            && text
+                .bytes()
+                .enumerate()
+                .all(|(i, b)| if i == 4 || i == 7 { b == b'-' } else { b.is_ascii_digit() });
+        let real = matches!(part(5..7), Some(1..=12)) && matches!(part(8..10), Some(1..=31));
+        (shape && real).then(|| Self(text.to_owned())).ok_or_else(|| {
+            bad(
+                format!("`{text}` is no date"),
+                "files carry this date, never the clock's",
+                "write it as 2026-11-24",
+            )
+        })
+    }
+}
+
+/// A crate version, `0.1.0`.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Version(pub String);
+
+impl FromRaw for Version {
+    const KIND: Kind = Kind::Text(Some("^[0-9]+\\.[0-9]+\\.[0-9]+$"));
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        let text = checked_text(raw, 32)?;
+        let parts: Vec<&str> = text.split('.').collect();
+        let number = |p: &&str| !p.is_empty() && p.len() <= 9 && p.bytes().all(|b| b.is_ascii_digit());
+        let ok = parts.len() == 3 && parts.iter().all(|p| number(p) && (*p == "0" || !p.starts_with('0')));
+        ok.then(|| Self(text.to_owned())).ok_or_else(|| {
+            bad(format!("`{text}` is no version"), "cargo wants three numbers", "write it as 0.1.0")
+        })
+    }
+}
+
+/// A SHA-256 in lower-case hexadecimal.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Sha256(pub String);
+
+impl FromRaw for Sha256 {
+    const KIND: Kind = Kind::Text(Some("^[0-9a-f]{64}$"));
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        let text = checked_text(raw, 64)?;
+        let hex = |b: u8| b.is_ascii_digit() || (b'a'..=b'f').contains(&b);
+        (text.len() == 64 && text.bytes().all(hex)).then(|| Self(text.to_owned())).ok_or_else(|| {
+            bad(
+                format!("`{text}` is no SHA-256"),
+                "the hash ties citations to one text",
+                "write its 64 digits in lower case",
+            )
+        })
+    }
+}
+
+macro_rules! integers {
+    ($($ty:ty)*) => {$(
+        impl FromRaw for $ty {
+            const KIND: Kind = Kind::Int(<$ty>::MIN as i128, <$ty>::MAX as i128);
+
+            fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+                let RawValue::Int(n) = raw else { return Err(Expected::kind(raw, "a whole number")) };
+                <$ty>::try_from(*n).map_err(|_| Expected {
+                    code: code::NUMBER_RANGE,
+                    message: format!("{n} does not fit"),
+                    why: format!("the value goes from {} to {}", <$ty>::MIN, <$ty>::MAX),
+                    help: "correct the number".into(),
+                })
+            }
+        }
+    )*};
+}
+
+integers!(u8 u16 u32 i8);
+
+/// A raw count of an object: what 64 bits, signed or not, can hold.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Count(pub i128);
+
+impl FromRaw for Count {
+    const KIND: Kind = Kind::Int(i64::MIN as i128, u64::MAX as i128);
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        let RawValue::Int(n) = raw else { return Err(Expected::kind(raw, "a whole number")) };
+        if (i128::from(i64::MIN)..=i128::from(u64::MAX)).contains(n) {
+            return Ok(Self(*n));
+        }
+        Err(Expected {
+            code: code::NUMBER_RANGE,
+            message: format!("{n} does not fit"),
+            why: "no object of a drive is wider than 64 bits".into(),
+            help: "correct the number".into(),
+        })
+    }
+}
+
+impl FromRaw for Value {
+    const KIND: Kind = Kind::Scalar;
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        match raw {
+            RawValue::Int(_) => Count::from_raw(raw).map(|c| Self::Int(c.0)),
+            RawValue::Bool(b) => Ok(Self::Int(i128::from(*b))),
+            RawValue::Text(_) => checked_text(raw, limits::TEXT_BYTES).map(|t| Self::Text(t.to_owned())),
+            _ => Err(Expected::kind(raw, "a whole number, text, or true/false")),
+        }
+    }
+}
+
+/// Any value that a row can hold: what errata compare and set.
+impl FromRaw for RawValue {
+    const KIND: Kind = Kind::Scalar;
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        match raw {
+            Self::Other(_) => Err(Expected::kind(raw, "a value")),
+            _ => Ok(raw.clone()),
+        }
+    }
+}
+
+impl<T: FromRaw> FromRaw for Vec<T> {
+    const KIND: Kind = Kind::List(&T::KIND);
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        let RawValue::List(items) = raw else { return Err(Expected::kind(raw, "a list in square brackets")) };
+        if items.len() > limits::LIST_VALUES {
+            return Err(Expected {
+                code: code::TOO_LONG,
+                message: format!("the list has {} values", items.len()),
+                why: format!("a list holds at most {}", limits::LIST_VALUES),
+                help: "shorten it".into(),
+            });
+        }
+        items.iter().map(|item| T::from_raw(&item.value)).collect()
+    }
+}
+
+/// Which sub-indexes a row states.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Sub {
+    /// The index as a whole.
+    Whole,
+    /// One.
+    One(u8),
+    /// Several of one shape, first to last.
+    Range(u8, u8),
+}
+
+/// Where a row of `objects` belongs: `6040:00`, `3000:01..63` or `607D`.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct At {
+    /// The index.
+    pub index: u16,
+    /// Its sub-indexes.
+    pub sub: Sub,
+}
+
+impl At {
+    /// Reads the text of an address; every number is hexadecimal with all its digits.
+    pub fn parse(text: &str) -> Option<Self> {
+        let hex = |t: &str, digits: usize| {
+            (t.len() == digits && t.bytes().all(|b| b.is_ascii_hexdigit()))
+                .then(|| u16::from_str_radix(t, 16).ok())?
+        };
+        let sub = |t: &str| hex(t, 2).and_then(|n| u8::try_from(n).ok());
+        let Some((index, subs)) = text.split_once(':') else {
+            return Some(Self { index: hex(text, 4)?, sub: Sub::Whole });
+        };
+        let sub = match subs.split_once("..") {
+            Some((first, last)) => Sub::Range(sub(first)?, sub(last)?),
+            None => Sub::One(sub(subs)?),
+        };
+        let ascending = !matches!(sub, Sub::Range(first, last) if first >= last);
+        ascending.then_some(Self { index: hex(index, 4)?, sub })
+    }
+
+    /// Every address that it covers; none for an index as a whole.
+    pub fn addresses(self) -> impl Iterator<Item = Address> {
+        let range = match self.sub {
+            Sub::Whole => None,
+            Sub::One(sub) => Some(sub..=sub),
+            Sub::Range(first, last) => Some(first..=last),
+        };
+        range.into_iter().flatten().map(move |sub| Address::new(self.index, sub))
+    }
+}
+
+impl std::fmt::Display for At {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.sub {
+            Sub::Whole => write!(f, "{:04X}", self.index),
+            Sub::One(sub) => write!(f, "{:04X}:{sub:02X}", self.index),
+            Sub::Range(first, last) => write!(f, "{:04X}:{first:02X}..{last:02X}", self.index),
+        }
+    }
+}
+
+fn address_error(text: &str, wanted: &str) -> Expected {
+    Expected {
+        code: code::BAD_ADDRESS,
+        message: format!("`{text}` is no address"),
+        why: "index and sub-index are hexadecimal with all their digits, so that 10 cannot be read as ten"
+            .into(),
+        help: format!("write it as {wanted}"),
+    }
+}
+
+impl FromRaw for At {
+    const KIND: Kind = Kind::Text(Some("^[0-9A-Fa-f]{4}(:[0-9A-Fa-f]{2}(\\.\\.[0-9A-Fa-f]{2})?)?$"));
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        let text = checked_text(raw, 64)?;
+        Self::parse(text).ok_or_else(|| address_error(text, "`607D:01`, `3000:01..63` or `607D`"))
+    }
+}
+
+impl FromRaw for Address {
+    const KIND: Kind = Kind::Text(Some("^[0-9A-Fa-f]{4}:[0-9A-Fa-f]{2}$"));
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        let text = checked_text(raw, 64)?;
+        match At::parse(text) {
+            Some(At { index, sub: Sub::One(sub) }) => Ok(Self::new(index, sub)),
+            _ => Err(address_error(text, "`607D:01`")),
+        }
+    }
+}
+
+impl FromRaw for Unit {
+    const KIND: Kind = Kind::Text(None);
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        let text = checked_text(raw, 64)?;
+        Self::parse(text).map_err(|error| Expected {
+            code: code::BAD_UNIT,
+            message: error.to_string(),
+            why: "the unit of one count becomes an exact factor of a typed quantity".into(),
+            help: match &error {
+                UnitError::Symbol(symbol) => suggest(symbol, &Self::symbols().collect::<Vec<_>>()),
+                UnitError::Factor(_) => "write `factor symbol`, such as `0.1 rpm`".into(),
+            },
+        })
+    }
+}
+
+/// A field and a reason: `type: width from the range`.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Reason {
+    /// The key.
+    pub field: String,
+    /// The rule or reason.
+    pub text: String,
+}
+
+impl FromRaw for Reason {
+    const KIND: Kind = Kind::Text(Some("^[a-z]+: .+$"));
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        let text = checked_text(raw, limits::TEXT_BYTES)?;
+        match text.split_once(": ") {
+            Some((field, reason)) if !reason.trim().is_empty() => {
+                Ok(Self { field: field.trim().to_owned(), text: reason.trim().to_owned() })
+            }
+            _ => Err(bad(
+                format!("`{text}` names no field"),
+                "each reason belongs to one key of the row",
+                "write `type: the reason`",
+            )),
+        }
+    }
+}
+
+macro_rules! words {
+    ($($ty:ident: $($word:literal => $value:expr),+;)*) => {$(
+        impl FromRaw for $ty {
+            const KIND: Kind = Kind::Words(|| vec![$($word),+]);
+
+            fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+                match word(raw)? {
+                    $($word => Ok($value),)+
+                    other => Err(no_such_word(other, &[$($word),+])),
+                }
+            }
+        }
+    )*};
+}
+
+fn word(raw: &RawValue) -> Result<&str, Expected> {
+    checked_text(raw, 64)
+}
+
+fn no_such_word(found: &str, words: &[&str]) -> Expected {
+    bad(
+        format!("`{found}` is not one of its words"),
+        "another word would have to be guessed at",
+        suggest(found, words),
+    )
+}
+
+words! {
+    Access: "ro" => Access::Ro, "rw" => Access::Rw, "wo" => Access::Wo, "const" => Access::Const;
+    Mapping: "no" => Mapping { rx: false, tx: false }, "rx" => Mapping { rx: true, tx: false },
+        "tx" => Mapping { rx: false, tx: true }, "rx tx" => Mapping { rx: true, tx: true };
+    Direction: "rx" => Direction::Rx, "tx" => Direction::Tx;
+    ObjectKind: "var" => ObjectKind::Var, "array" => ObjectKind::Array, "record" => ObjectKind::Record;
+    Reset: "resettable" => Reset::Resettable, "not resettable" => Reset::NotResettable;
+    Sure: "high" => Sure::High, "medium" => Sure::Medium, "low" => Sure::Low;
+}
+
+impl FromRaw for Type {
+    const KIND: Kind = Kind::Words(|| Self::words().collect());
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        let found = word(raw)?;
+        Self::from_word(found).ok_or_else(|| no_such_word(found, &Self::words().collect::<Vec<_>>()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn addresses() {
+        assert_eq!(At::parse("607D:01").map(|a| a.to_string()).as_deref(), Some("607D:01"));
+        assert_eq!(At::parse("3000:01..63").unwrap().addresses().count(), 99);
+        assert_eq!(At::parse("607D").unwrap().addresses().count(), 0);
+        for bad in
+            ["607D:1", "0x607D:01", "607D:01..01", "607D:05..01", "607G:01", "607D:", ":01", "+07D:01", ""]
+        {
+            assert_eq!(At::parse(bad), None, "{bad}");
+        }
+    }
+
+    #[test]
+    fn dates_and_versions() {
+        let date = |t: &str| Date::from_raw(&RawValue::Text(t.into())).is_ok();
+        assert!(date("2026-11-24") && !date("2026-13-01") && !date("24.11.2026") && !date("2026-1é-1"));
+        let version = |t: &str| Version::from_raw(&RawValue::Text(t.into())).is_ok();
+        assert!(version("0.1.0") && !version("1.0") && !version("01.0.0") && !version("1.0.0-rc"));
+    }
+}
