@@ -20,7 +20,7 @@ pub const TEXT_BYTES: usize = 4_096;
 pub const PDOS: usize = 512;
 /// Entries of one PDO: what a mapping record can count.
 pub const PDO_ENTRIES: u32 = 254;
-/// Bytes of one SyncManager's process data.
+/// Bytes of one `SyncManager`'s process data.
 pub const PDO_BYTES: u32 = 1_486;
 /// Bases of one profile.
 pub const BASES: usize = 8;

@@ -93,9 +93,8 @@ codes! {
     UNKNOWN_BITS error "E0307" "no such bit table";
     UNKNOWN_OBJECT error "E0308" "no such object";
     UNKNOWN_MANUAL error "E0309" "no such manual";
-    DEFAULT_KIND error "E0310" "a default has another kind than its type";
-    TOO_MANY_ENTRIES error "E0311" "a drive has too many entries";
-    NAMED_FIELD error "E0312" "a row names a field that it does not have";
+    TOO_MANY_ENTRIES error "E0310" "a drive has too many entries";
+    NAMED_FIELD error "E0311" "a row names a field that it does not have";
 }
 
 #[cfg(test)]

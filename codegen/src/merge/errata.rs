@@ -88,8 +88,8 @@ impl Fixing<'_> {
             let mut raw = row.meta().raw.clone();
             raw.set(&field, Sp::new(set.value.clone(), set.span));
             // What is wrong with the new value is reported at the erratum, where it stands.
-            let Some(fixed) = R::decode(raw, sink) else { return };
-            *row = fixed;
+            let Some(corrected) = R::decode(raw, sink) else { return };
+            *row = corrected;
         }
         row.meta_mut().fixes = fixes;
     }

@@ -34,6 +34,9 @@ pub struct Profile {
 /// Parses `files` of one profile and merges them.
 pub fn merge(files: &[FileId], sources: &mut SourceMap, sink: &mut Sink) -> Profile {
     let mut rows = parse(files, sources, sink);
+    // The order of files and rows means nothing; where order shows, it is that of ids.
+    rows.errata.sort_by(|a, b| a.id.value.cmp(&b.id.value));
+    rows.manuals.sort_by(|a, b| a.id.value.cmp(&b.id.value));
     one_drive(&rows, files, sink);
     let bases = bases(&rows, sources, sink);
     errata::apply(&mut rows, sink);

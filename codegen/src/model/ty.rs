@@ -7,7 +7,7 @@ use std::fmt;
 pub enum Type {
     /// BOOLEAN, one bit in a PDO and one byte over SDO.
     Bool,
-    /// INTEGERn (signed) or UNSIGNEDn, n = 8, 16, 24, 32, 40, 48, 56 or 64.
+    /// `INTEGERn` (signed) or `UNSIGNEDn`, n = 8, 16, 24, 32, 40, 48, 56 or 64.
     Int {
         /// Two's complement.
         signed: bool,

@@ -78,7 +78,7 @@ impl Reader<'_> {
             );
             return rows;
         }
-        for item in items.iter() {
+        for item in items {
             match item.get_ref() {
                 DeValue::Table(fields) => rows.extend(self.row(fields, item.span())),
                 other => self.not_a_row(name, item.span(), other.type_str()),

@@ -23,8 +23,8 @@ pub(super) fn check_unique(model: &Model, sink: &mut Sink) {
         );
     }
     for (_, table) in model.bits.iter() {
-        let modes: std::collections::BTreeSet<Option<i8>> = table.fields.iter().map(|f| f.mode).collect();
-        for mode in modes {
+        let per_mode: std::collections::BTreeSet<Option<i8>> = table.fields.iter().map(|f| f.mode).collect();
+        for mode in per_mode {
             // Bits of a mode stand beside those of every mode.
             let fields = table.fields.iter().filter(|f| f.mode == mode || f.mode.is_none());
             scope(

@@ -98,7 +98,7 @@ impl Tables {
     }
 }
 
-fn group<'a, R>(rows: &'a [R], name: impl Fn(&R) -> &Sp<Name>) -> BTreeMap<Vec<String>, Vec<&'a R>> {
+fn group<R>(rows: &[R], name: impl Fn(&R) -> &Sp<Name>) -> BTreeMap<Vec<String>, Vec<&R>> {
     let mut groups: BTreeMap<Vec<String>, Vec<&R>> = BTreeMap::new();
     for row in rows {
         groups.entry(name(row).value.words().to_vec()).or_default().push(row);

@@ -36,7 +36,7 @@ macro_rules! is_required {
 macro_rules! tables {
     ($(
         $(#[doc = $doc:literal])+
-        $row:ident in $table:ident {
+        $row:ident in $table:ident, key |$this:ident| $row_key:block {
             $( $(#[doc = $field_doc:literal])+ $field:ident $key:literal: $need:ident $ty:ty, )+
         }
     )+) => {
@@ -71,7 +71,8 @@ macro_rules! tables {
                 }
 
                 fn key(&self) -> String {
-                    self.row_key()
+                    let $this = self;
+                    $row_key
                 }
 
                 fn meta(&self) -> &Meta {
@@ -130,7 +131,7 @@ fn unknown_table(name: &Sp<String>, sink: &mut Sink) {
 
 tables! {
     /// The drive: one row.
-    DriveRow in drive {
+    DriveRow in drive, key |_row| { "drive".to_owned() } {
         /// Version of the profile format: 1.
         format "format": required u32,
         /// Short id of the drive.
@@ -164,7 +165,7 @@ tables! {
     }
 
     /// A document that facts cite. It is named, never contained.
-    ManualRow in manuals {
+    ManualRow in manuals, key |row| { format!("manual {}", row.id.value.0) } {
         /// Id in citations: `m1`.
         id "id": required Ident,
         /// Title as printed.
@@ -180,7 +181,7 @@ tables! {
     }
 
     /// An entry of the object dictionary, several of one shape, or an index as a whole.
-    ObjectRow in objects {
+    ObjectRow in objects, key |row| { row.at.value.to_string() } {
         /// Address: `607D:01`, `3000:01..63`, or `607D` for the index as a whole.
         at "at": required At,
         /// Name as printed.
@@ -224,7 +225,7 @@ tables! {
     }
 
     /// A named value of a value table.
-    EnumRow in enums {
+    EnumRow in enums, key |row| { format!("enum {}={}", row.name.value, row.value.value.0) } {
         /// The table's name.
         name "name": required Name,
         /// The value.
@@ -240,7 +241,10 @@ tables! {
     }
 
     /// A named bit, or several that belong together.
-    BitRow in bits {
+    BitRow in bits, key |row| {
+        let mode = row.mode.map_or_else(String::new, |m| format!(" mode {}", m.value));
+        format!("bits {}.{}{mode}", row.name.value, row.bit.value)
+    } {
         /// The table's name.
         name "name": required Name,
         /// The lowest bit.
@@ -262,7 +266,7 @@ tables! {
     }
 
     /// A fault or warning.
-    AlarmRow in alarms {
+    AlarmRow in alarms, key |row| { format!("alarm {}", row.display.value.0) } {
         /// What the panel shows.
         display "display": required Text,
         /// The maker's number.
@@ -288,7 +292,7 @@ tables! {
     }
 
     /// An entry of a default PDO mapping.
-    PdoRow in pdo {
+    PdoRow in pdo, key |row| { format!("pdo {:04X}:{}", row.map.value, row.pos.value) } {
         /// Index of the mapping object.
         map "map": required u16,
         /// Direction, seen from the drive.
@@ -304,7 +308,7 @@ tables! {
     }
 
     /// A place where the manual is wrong or contradicts itself.
-    ErratumRow in errata {
+    ErratumRow in errata, key |row| { format!("erratum {}", row.id.value.0) } {
         /// Id, unique in the profile.
         id "id": required Text,
         /// The row: `607D:01`, `alarm OF`, `pdo 1600:1`, `enum NAME=1`, `bits NAME.4`, `drive`.
@@ -326,67 +330,12 @@ tables! {
     }
 
     /// A finding of a lint that is accepted, with the reason.
-    AllowRow in allow {
+    AllowRow in allow, key |row| { format!("allow {} {}", row.lint.value.0, row.at.value.0) } {
         /// The lint's code.
         lint "lint": required Text,
         /// The row that it concerns, as messages name it.
         at "at": required Text,
         /// Why it is accepted.
         why "why": required Text,
-    }
-}
-
-impl DriveRow {
-    fn row_key(&self) -> String {
-        "drive".to_owned()
-    }
-}
-
-impl ManualRow {
-    fn row_key(&self) -> String {
-        format!("manual {}", self.id.value.0)
-    }
-}
-
-impl ObjectRow {
-    fn row_key(&self) -> String {
-        self.at.value.to_string()
-    }
-}
-
-impl EnumRow {
-    fn row_key(&self) -> String {
-        format!("enum {}={}", self.name.value, self.value.value.0)
-    }
-}
-
-impl BitRow {
-    fn row_key(&self) -> String {
-        let mode = self.mode.map_or_else(String::new, |m| format!(" mode {}", m.value));
-        format!("bits {}.{}{mode}", self.name.value, self.bit.value)
-    }
-}
-
-impl AlarmRow {
-    fn row_key(&self) -> String {
-        format!("alarm {}", self.display.value.0)
-    }
-}
-
-impl PdoRow {
-    fn row_key(&self) -> String {
-        format!("pdo {:04X}:{}", self.map.value, self.pos.value)
-    }
-}
-
-impl ErratumRow {
-    fn row_key(&self) -> String {
-        format!("erratum {}", self.id.value.0)
-    }
-}
-
-impl AllowRow {
-    fn row_key(&self) -> String {
-        format!("allow {} {}", self.lint.value.0, self.at.value.0)
     }
 }

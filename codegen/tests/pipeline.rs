@@ -1,0 +1,114 @@
+//! The pipeline from texts to a model: what each stage promises.
+
+use drivewright_codegen::compile;
+use drivewright_codegen::model::{Address, Class, Value};
+use drivewright_codegen::source::Source;
+
+const DRIVE: &str = r#"
+manuals = [ { id = "m1", title = "T", version = "1", sha256 = "0000000000000000000000000000000000000000000000000000000000000000", lines = 10 } ]
+[drive]
+format = 1
+id = "x1"
+vendor = "Acme"
+vendor_id = "acme"
+name = "X1"
+crate_version = "0.1.0"
+eds_version = 1
+eds_revision = 0
+date = "2026-01-01"
+"#;
+
+fn sources(objects: &str, more: &[(&str, &str)]) -> Vec<Source> {
+    let mut out = vec![
+        Source { path: "drive.toml".into(), text: DRIVE.into() },
+        Source { path: "objects.toml".into(), text: format!("objects = [\n{objects}\n]\n") },
+    ];
+    out.extend(more.iter().map(|(path, text)| Source { path: (*path).into(), text: (*text).into() }));
+    out
+}
+
+fn codes(objects: &str, more: &[(&str, &str)]) -> Vec<String> {
+    let compiled = compile(sources(objects, more));
+    compiled
+        .diagnostics
+        .iter()
+        .map(|d| format!("{} {}", d.code.id(), compiled.sources.place(d.span)))
+        .collect()
+}
+
+const GOOD: &str = r#"{ at = "2000:00", name = "Speed", type = "u16", access = "rw", unit = "0.1 rpm", min = 0, max = 30000, default = 5, src = "1 L2" },"#;
+
+#[test]
+fn a_small_profile_compiles() {
+    let compiled = compile(sources(GOOD, &[]));
+    assert_eq!(compiled.diagnostics, []);
+    let model = compiled.sound().expect("a model");
+    let (_, entry) = model.entry(Address::new(0x2000, 0)).expect("the entry");
+    assert_eq!(entry.handle.words().join(" "), "speed");
+    assert_eq!(entry.default.as_ref().map(|d| &d.value), Some(&Value::Int(5)));
+    assert_eq!(entry.ty.origin.class, Class::Stated);
+    assert_eq!(entry.ty.origin.cite.as_ref().map(ToString::to_string).as_deref(), Some("1 L2"));
+}
+
+#[test]
+fn every_bad_row_of_every_file_is_reported_in_one_run() {
+    let objects = r#"
+{ at = "2000:00", nmae = "A", type = "u16", access = "rw", src = "1 L2" },
+{ at = "2001:00", name = "B", type = "u17", access = "rx", src = "1 L2" },
+{ at = "2002:00", name = "C", type = "u16", access = "rw", src = "1 L2" },
+{ at = "2003", name = 5 },"#;
+    let found = codes(objects, &[("alarms.toml", "alarms = [ { display = \"A\" } ]\n")]);
+    let starts: Vec<&str> = found.iter().map(|c| &c[..5]).collect();
+    assert_eq!(starts, ["E0104", "E0104", "E0104", "E0103", "E0106", "E0106", "E0105"], "{found:#?}");
+}
+
+#[test]
+fn an_erratum_sets_the_value_and_says_so() {
+    let errata = r#"errata = [ { id = "E1", at = "2000:00", field = "max", was = 30000, seen = "1 L2", set = 3000, by = "2 L5", why = "a zero too many", sure = "high" } ]"#;
+    let compiled = compile(sources(GOOD, &[("errata.toml", errata)]));
+    assert_eq!(compiled.diagnostics, []);
+    let model = compiled.sound().expect("a model");
+    let max = model.entry(Address::new(0x2000, 0)).and_then(|(_, e)| e.max.clone()).expect("a maximum");
+    assert_eq!(max.value, 3000);
+    assert_eq!(max.origin.cite.map(|c| c.to_string()).as_deref(), Some("2 L5"));
+    assert!(max.origin.erratum.is_some());
+}
+
+#[test]
+fn an_erratum_that_expects_another_value_is_an_error() {
+    let errata = |row: &str| format!("errata = [ {row} ]");
+    let of = |row: &str| codes(GOOD, &[("errata.toml", &errata(row))])[0][..5].to_owned();
+    let row = |at: &str, field: &str, rest: &str| {
+        format!(
+            r#"{{ id = "E1", at = "{at}", field = "{field}", {rest}, seen = "1 L2", why = "w", sure = "low" }}"#
+        )
+    };
+    assert_eq!(of(&row("2000:00", "max", "was = 3000, set = 5")), "E0204");
+    assert_eq!(of(&row("2001:00", "max", "was = 30000, set = 5")), "E0203");
+    assert_eq!(of(&row("2000:00", "mx", "was = 30000, set = 5")), "E0311");
+    assert_eq!(of(&row("2000:00", "max", "was = 30000, set = 30000")), "E0206");
+    let twice = format!(
+        "{}, {}",
+        row("2000:00", "max", "was = 30000, set = 5"),
+        row("2000:00", "max", "was = 30000, set = 6")
+    );
+    assert!(codes(GOOD, &[("errata.toml", &errata(&twice))]).iter().any(|c| c.starts_with("E0205")));
+}
+
+#[test]
+fn names_that_are_the_same_words_ask_for_a_rename() {
+    let objects = format!("{GOOD}\n{}", GOOD.replace("2000", "2001").replace("Speed", "SPEED"));
+    assert!(codes(&objects, &[])[0].starts_with("E0305"));
+    let renamed =
+        format!("{GOOD}\n{}", GOOD.replace("2000", "2001").replace("access", "rename = \"Speed 2\", access"));
+    assert_eq!(codes(&renamed, &[]), Vec::<String>::new());
+}
+
+#[test]
+fn the_order_of_files_and_rows_does_not_matter() {
+    let second = GOOD.replace("2000", "2001").replace("Speed", "Torque");
+    let forward = compile(sources(&format!("{GOOD}\n{second}"), &[]));
+    let mut backward = sources(&format!("{second}\n{GOOD}"), &[]);
+    backward.reverse();
+    assert_eq!(forward.model, compile(backward).model);
+}
