@@ -8,6 +8,7 @@ mod id;
 mod parts;
 mod ty;
 mod unit;
+mod visit;
 
 pub use fact::{Cite, Class, Fact, Origin, Place};
 pub use id::{Address, Arena, BitsId, EntryId, EnumId, ErratumId, Id, ObjectId};
@@ -17,8 +18,10 @@ pub use parts::{
 };
 pub use ty::Type;
 pub use unit::{Quantity, Unit, UnitError};
+pub use visit::RowOrigins;
 
 use crate::name::Name;
+use crate::source::Sp;
 
 /// A drive.
 #[derive(Clone, PartialEq, Debug)]
@@ -104,6 +107,17 @@ pub struct Entry {
     pub deviation: Option<String>,
 }
 
+impl Entry {
+    /// The default, where it is a number.
+    pub fn default_int(&self) -> Option<Sp<i128>> {
+        let default = self.default.as_ref()?;
+        match default.value {
+            Value::Int(n) => Some(Sp::new(n, default.span())),
+            Value::Text(_) => None,
+        }
+    }
+}
+
 /// Direction of process data, seen from the drive.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Direction {
@@ -158,9 +172,6 @@ impl Model {
 
     /// The integer default of the entry at `address`, where one is known.
     pub fn default_int(&self, address: Address) -> Option<i128> {
-        match self.entry(address)?.1.default.as_ref()?.value {
-            Value::Int(n) => Some(n),
-            Value::Text(_) => None,
-        }
+        self.entry(address)?.1.default_int().map(|d| d.value)
     }
 }

@@ -183,6 +183,13 @@ pub struct BitField {
     pub deviation: Option<String>,
 }
 
+impl BitField {
+    /// One past the highest bit.
+    pub fn end(&self) -> u16 {
+        u16::from(self.bit) + u16::from(self.width)
+    }
+}
+
 /// How an alarm is cleared.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Reset {

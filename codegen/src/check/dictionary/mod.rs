@@ -1,0 +1,9 @@
+//! The shape of the object dictionary.
+
+pub(super) mod count_is_highest;
+pub(super) mod count_is_u8;
+pub(super) mod count_present;
+pub(super) mod identity_present;
+pub(super) mod kind_fits_entries;
+
+use super::finding;

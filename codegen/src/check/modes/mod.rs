@@ -1,0 +1,5 @@
+//! Modes of operation.
+
+pub(super) mod modes_agree;
+
+use super::finding;

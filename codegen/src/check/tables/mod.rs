@@ -1,0 +1,6 @@
+//! Value tables.
+
+pub(super) mod allowed_named;
+pub(super) mod tables_differ;
+
+use super::finding;

@@ -1,0 +1,100 @@
+//! Runs the examples of every lint page: the failing one gives exactly this lint's finding, the passing one none at all.
+
+use drivewright_codegen::check::{LINTS, Lint};
+use drivewright_codegen::diag::Severity;
+use drivewright_codegen::source::Source;
+use drivewright_codegen::{Compiled, compile};
+
+/// What a page leaves out: the keys that every drive has.
+const DRIVE: &str = r#"
+format = 1
+id = "x1"
+vendor = "Acme"
+vendor_id = "acme"
+name = "X1"
+crate_version = "0.1.0"
+eds_version = 1
+eds_revision = 0
+date = "2026-01-01"
+"#;
+
+const MANUALS: &str = r#"manuals = [
+  { id = "m1", title = "T", version = "1", sha256 = "0000000000000000000000000000000000000000000000000000000000000000", lines = 10 },
+]
+"#;
+
+/// The example below a heading.
+fn example<'a>(lint: &'a Lint, heading: &str) -> &'a str {
+    let (_, below) =
+        lint.page.split_once(heading).unwrap_or_else(|| panic!("{}: no {heading}", lint.code.id()));
+    let (_, block) = below.split_once("```toml\n").expect("a TOML block");
+    block.split_once("```").expect("the block ends").0
+}
+
+fn run(example: &str) -> Compiled {
+    let drive = if example.contains("[drive]") { DRIVE.to_owned() } else { format!("[drive]\n{DRIVE}") };
+    let text = format!("{MANUALS}{example}\n{drive}");
+    compile(vec![Source { path: "drive.toml".into(), text }])
+}
+
+fn codes(compiled: &Compiled) -> Vec<&'static str> {
+    compiled.diagnostics.iter().map(|d| d.code.id()).collect()
+}
+
+#[test]
+fn failing_examples_fail_with_their_lint_alone() {
+    for lint in LINTS {
+        let compiled = run(example(lint, "## Fails"));
+        let found = codes(&compiled);
+        assert!(
+            !found.is_empty() && found.iter().all(|c| *c == lint.code.id()),
+            "{}: {found:?}",
+            lint.code.id()
+        );
+        assert_eq!(
+            compiled.sound().is_some(),
+            lint.code.severity() == Severity::Warning,
+            "{}",
+            lint.code.id()
+        );
+    }
+}
+
+#[test]
+fn passing_examples_pass() {
+    for lint in LINTS {
+        let compiled = run(example(lint, "## Passes"));
+        assert_eq!(codes(&compiled), Vec::<&str>::new(), "{}: {:#?}", lint.code.id(), compiled.diagnostics);
+        assert!(compiled.sound().is_some());
+    }
+}
+
+#[test]
+fn pages_have_their_parts() {
+    for lint in LINTS {
+        let id = lint.code.id();
+        assert!(lint.page.starts_with(&format!("# {id}: {}\n", lint.code.title())), "{id}: title");
+        assert!(lint.page.contains(&format!("Severity: {}.", lint.code.severity().word())), "{id}: severity");
+        for part in ["## Why", "## Fails", "## Passes", "## What to do"] {
+            assert!(lint.page.contains(part), "{id}: {part}");
+        }
+    }
+}
+
+#[test]
+fn codes_ascend() {
+    let numbers: Vec<&str> = LINTS.iter().map(|l| &l.code.id()[1..]).collect();
+    assert!(numbers.windows(2).all(|w| w[0] < w[1]), "{numbers:?}");
+}
+
+#[test]
+fn an_accepted_finding_is_not_reported_and_an_idle_allowance_is() {
+    let fails =
+        r#"objects = [ { at = "2000:00", name = "1st gain", type = "u16", access = "rw", src = "1 L1" } ]"#;
+    let allow = |at: &str| {
+        format!("{fails}\nallow = [ {{ lint = \"W0903\", at = \"{at}\", why = \"as printed\" }} ]")
+    };
+    assert_eq!(codes(&run(&allow("2000:00"))), Vec::<&str>::new());
+    let idle = codes(&run(&allow("2001:00")));
+    assert!(idle.contains(&"E0210") && idle.contains(&"W0903"), "{idle:?}");
+}
