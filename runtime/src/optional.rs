@@ -1,0 +1,57 @@
+//! Impls for `serde` and `defmt` that macros expand to. They live here because `cfg` in an expansion would look at
+//! the features of the crate that uses the macro.
+
+#[doc(hidden)]
+#[cfg(feature = "serde")]
+pub use serde;
+
+#[doc(hidden)]
+#[cfg(feature = "defmt")]
+pub use defmt;
+
+/// `Serialize` for a newtype, as its raw number.
+#[doc(hidden)]
+#[macro_export]
+#[cfg(feature = "serde")]
+macro_rules! __serde {
+    ($name:ident) => {
+        impl $crate::optional::serde::Serialize for $name {
+            fn serialize<S: $crate::optional::serde::Serializer>(
+                &self,
+                serializer: S,
+            ) -> ::core::result::Result<S::Ok, S::Error> {
+                $crate::optional::serde::Serialize::serialize(&self.0, serializer)
+            }
+        }
+    };
+}
+
+/// Nothing without the feature.
+#[doc(hidden)]
+#[macro_export]
+#[cfg(not(feature = "serde"))]
+macro_rules! __serde {
+    ($name:ident) => {};
+}
+
+/// `Format` for a newtype, as its raw number.
+#[doc(hidden)]
+#[macro_export]
+#[cfg(feature = "defmt")]
+macro_rules! __defmt {
+    ($name:ident) => {
+        impl $crate::optional::defmt::Format for $name {
+            fn format(&self, f: $crate::optional::defmt::Formatter<'_>) {
+                $crate::optional::defmt::Format::format(&self.0, f);
+            }
+        }
+    };
+}
+
+/// Nothing without the feature.
+#[doc(hidden)]
+#[macro_export]
+#[cfg(not(feature = "defmt"))]
+macro_rules! __defmt {
+    ($name:ident) => {};
+}
