@@ -1,5 +1,7 @@
 //! Runs the examples of every lint page: the failing one gives exactly this lint's finding, the passing one none at all.
 
+#![allow(clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
 use drivewright_codegen::check::{LINTS, Lint};
 use drivewright_codegen::diag::Severity;
 use drivewright_codegen::source::Source;

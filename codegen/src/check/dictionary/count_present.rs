@@ -6,7 +6,7 @@ use crate::model::Model;
 
 const CODE: Code = Code::error("E0503", "an array or record lacks sub-index 0");
 const WHY: &str = "every reader starts there, and an EDS without it is refused";
-const HELP: &str = "add the row. If the manual does not print it, state it with `inferred` and name the rule";
+const HELP: &str = "add the row; if the manual does not print it, state it with `inferred` and name the rule";
 
 /// Looks for sub-index 0 of every array and record.
 pub(in crate::check) const LINT: Lint = Lint { code: CODE, page: include_str!("count_present.md"), run };

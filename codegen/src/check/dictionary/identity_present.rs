@@ -7,7 +7,7 @@ use crate::model::{Address, Model};
 const CODE: Code = Code::warning("W0504", "a standard drive lacks 1000h or 1018h");
 const WHY: &str = "ciA 301 makes both mandatory";
 const HELP: &str =
-    "add the rows from the manual. If it does not print them, accept the finding with `allow` and the reason";
+    "add the rows from the manual; if it does not print them, accept the finding with `allow` and the reason";
 
 /// Looks for 1000h and 1018h:01 in drives that name the base `cia301`.
 pub(in crate::check) const LINT: Lint = Lint { code: CODE, page: include_str!("identity_present.md"), run };

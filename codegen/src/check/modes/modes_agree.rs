@@ -13,9 +13,9 @@ pub(in crate::check) const LINT: Lint = Lint { code: CODE, page: include_str!("m
 
 fn run(model: &Model, sink: &mut Sink) {
     let supported = model.entry(Address::new(0x6502, 0)).map(|(_, e)| e);
-    let modes = model.entry(Address::new(0x6060, 0)).map(|(_, e)| e);
-    let (Some(supported), Some(modes)) = (supported, modes) else { return };
-    let (Some(default), Some(allow)) = (&supported.default, &modes.allow) else { return };
+    let requested = model.entry(Address::new(0x6060, 0)).map(|(_, e)| e);
+    let (Some(supported), Some(requested)) = (supported, requested) else { return };
+    let (Some(default), Some(allow)) = (&supported.default, &requested.allow) else { return };
     let Value::Int(word) = default.value else { return };
     let settled = default.origin.erratum.is_some() || allow.origin.erratum.is_some();
     let named = |mode: i128| allow.value.contains(&mode);

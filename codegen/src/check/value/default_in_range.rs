@@ -6,7 +6,7 @@ use crate::model::Model;
 
 const CODE: Code = Code::error("E0401", "a default is outside its own range");
 const WHY: &str = "a drive cannot be shipped with a value that it refuses";
-const HELP: &str = "look at every place where the manual prints the object. Write raw counts everywhere, and add an erratum for the value that is wrong";
+const HELP: &str = "look at every place where the manual prints the object; write raw counts everywhere, and add an erratum for the value that is wrong";
 
 /// Compares `default` with `min` and `max` of the same entry.
 pub(in crate::check) const LINT: Lint = Lint { code: CODE, page: include_str!("default_in_range.md"), run };
