@@ -6,10 +6,16 @@ pub const FILE_BYTES: usize = 8 << 20;
 pub const FILES: usize = 64;
 /// Bytes of an output path.
 pub const PATH_BYTES: usize = 200;
-/// Rows of one table.
-pub const ROWS: usize = 1_000_000;
+/// Rows of one table in one file.
+pub const ROWS: usize = 100_000;
 /// Object entries of a drive after ranges are expanded.
 pub const ENTRIES: usize = 1_000_000;
+/// Findings that a run keeps; further ones are counted.
+pub const FINDINGS: usize = 10_000;
+/// Names that a message lists where none is near the one written.
+pub const SUGGESTIONS: usize = 24;
+/// Bits of the widest object.
+pub const OBJECT_BITS: u8 = 64;
 /// Values of a list in one row.
 pub const LIST_VALUES: usize = 4_096;
 /// Bytes of a name.

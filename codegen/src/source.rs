@@ -91,13 +91,18 @@ pub struct Source {
 #[derive(Clone, Default, Debug)]
 pub struct SourceMap {
     files: Vec<Source>,
+    /// First byte of each line of each file.
+    lines: Vec<Vec<usize>>,
 }
 
 impl SourceMap {
     /// Adds a text.
     pub fn add(&mut self, path: impl Into<String>, text: impl Into<String>) -> FileId {
         let id = FileId(u32::try_from(self.files.len()).unwrap_or(u32::MAX));
-        self.files.push(Source { path: path.into(), text: text.into() });
+        let source = Source { path: path.into(), text: text.into() };
+        let breaks = source.text.bytes().enumerate().filter(|(_, b)| *b == b'\n').map(|(at, _)| at + 1);
+        self.lines.push(std::iter::once(0).chain(breaks).collect());
+        self.files.push(source);
         id
     }
 
@@ -118,13 +123,12 @@ impl SourceMap {
 
     /// Line and column of a byte, both from 1; the column counts characters.
     pub fn line_column(&self, file: FileId, byte: u32) -> LineColumn {
-        let text = self.text(file);
-        let before = text.get(..byte as usize).unwrap_or(text);
-        let line_start = before.rfind('\n').map_or(0, |i| i + 1);
-        LineColumn {
-            line: before.bytes().filter(|b| *b == b'\n').count() + 1,
-            column: before[line_start..].chars().count() + 1,
-        }
+        let (text, byte) = (self.text(file), byte as usize);
+        let starts = self.lines.get(file.0 as usize).map_or(&[][..], Vec::as_slice);
+        let line = starts.partition_point(|start| *start <= byte).max(1);
+        let start = starts.get(line - 1).copied().unwrap_or(0);
+        let before = text.get(start..byte).or_else(|| text.get(start..)).unwrap_or("");
+        LineColumn { line, column: before.chars().count() + 1 }
     }
 
     /// `path:line:column` of a span's start.

@@ -8,6 +8,8 @@ mod process_data;
 mod tables;
 mod value;
 
+use std::collections::BTreeSet;
+
 use crate::diag::{Code, Diagnostic, Sink, code};
 use crate::model::{Entry, Model, Pdo, PdoEntry, Type};
 use crate::rows::tables::AllowRow;
@@ -63,29 +65,30 @@ pub fn run(model: &Model, allowed: &[AllowRow], sink: &mut Sink) {
     for lint in LINTS {
         (lint.run)(model, &mut found);
     }
-    for row in allowed {
-        let before = found.as_slice().len();
-        found.retain(|d| !accepts(row, d));
-        if found.as_slice().len() == before {
-            sink.push(
-                Diagnostic::new(
-                    code::ALLOW_UNUSED,
-                    row.lint.span,
-                    format!("`{}` finds nothing at `{}`", row.lint.value.0, row.at.value.0),
-                )
-                .why("an allowance that matches nothing may hide the next real finding")
-                .help("remove it, or correct `lint` and `at`"),
-            );
-        }
-    }
-    for finding in found.as_slice() {
-        sink.push(finding.clone());
+    let key = |row: &AllowRow| (row.lint.value.0.clone(), row.at.value.0.clone());
+    let allowances: BTreeSet<(String, String)> = allowed.iter().map(key).collect();
+    let mut used = BTreeSet::new();
+    sink.absorb(found, |finding| {
+        let row = (finding.code.id().to_owned(), row_of(&finding.message).to_owned());
+        let accepted = allowances.contains(&row);
+        accepted.then(|| used.insert(row));
+        !accepted
+    });
+    for row in allowed.iter().filter(|row| !used.contains(&key(row))) {
+        sink.push(idle(row));
     }
 }
 
-/// Findings name the row that they concern between backquotes.
-fn accepts(row: &AllowRow, finding: &Diagnostic) -> bool {
-    finding.code.id() == row.lint.value.0 && finding.message.contains(&format!("`{}`", row.at.value.0))
+/// The row that a finding concerns: what its message has between the first backquotes.
+fn row_of(message: &str) -> &str {
+    message.split('`').nth(1).unwrap_or("")
+}
+
+fn idle(row: &AllowRow) -> Diagnostic {
+    let text = format!("`{}` finds nothing at `{}`", row.lint.value.0, row.at.value.0);
+    Diagnostic::new(code::ALLOW_UNUSED, row.lint.span, text)
+        .why("an allowance that matches nothing may hide the next real finding")
+        .help("remove it, or correct `lint` and `at`")
 }
 
 /// A finding of a lint. `message` names the row between backquotes.

@@ -9,6 +9,7 @@ pub mod render;
 
 pub use code::Code;
 
+use crate::limits;
 use crate::source::{SourceMap, Span};
 
 /// How bad a finding is.
@@ -106,16 +107,32 @@ impl Diagnostic {
     }
 }
 
+/// One finding that stands for those beyond the limit.
+fn more([errors, warnings]: [usize; 2]) -> Option<Diagnostic> {
+    let code = if errors > 0 { code::MORE_ERRORS } else { code::MORE_WARNINGS };
+    (errors + warnings > 0).then(|| {
+        Diagnostic::new(code, Span::nowhere(), format!("{errors} more errors and {warnings} more warnings"))
+            .why(format!("a run keeps the first {} findings", limits::FINDINGS))
+            .help("correct those shown and run again")
+    })
+}
+
 /// Collects the findings of a run.
 #[derive(Clone, Default, Debug)]
 pub struct Sink {
     list: Vec<Diagnostic>,
+    /// Errors and warnings beyond the ones kept.
+    more: [usize; 2],
 }
 
 impl Sink {
     /// Adds a finding.
     pub fn push(&mut self, diagnostic: Diagnostic) {
-        self.list.push(diagnostic);
+        if self.list.len() < limits::FINDINGS {
+            self.list.push(diagnostic);
+        } else {
+            self.more[diagnostic.severity() as usize] += 1;
+        }
     }
 
     /// Whether an error was found.
@@ -125,7 +142,7 @@ impl Sink {
 
     /// How many findings of a severity there are.
     pub fn count(&self, severity: Severity) -> usize {
-        self.list.iter().filter(|d| d.severity() == severity).count()
+        self.list.iter().filter(|d| d.severity() == severity).count() + self.more[severity as usize]
     }
 
     /// The findings so far.
@@ -133,9 +150,10 @@ impl Sink {
         &self.list
     }
 
-    /// Drops the findings for which `keep` is false.
-    pub(crate) fn retain(&mut self, keep: impl FnMut(&Diagnostic) -> bool) {
-        self.list.retain(keep);
+    /// Adds the findings of `other` for which `keep` is true, and its count of further ones.
+    pub(crate) fn absorb(&mut self, other: Self, mut keep: impl FnMut(&Diagnostic) -> bool) {
+        other.list.into_iter().filter(|d| keep(d)).for_each(|d| self.push(d));
+        self.more = [self.more[0] + other.more[0], self.more[1] + other.more[1]];
     }
 
     /// The findings in the order of their places, so that the order in which stages ran cannot be seen.
@@ -149,6 +167,7 @@ impl Sink {
             ))
         });
         self.list.dedup();
+        self.list.extend(more(self.more));
         self.list
     }
 }

@@ -1,5 +1,7 @@
 //! Applies errata: each must match exactly one row and the value that is printed there.
 
+use std::collections::BTreeMap;
+
 use crate::diag::{Diagnostic, Sink, code};
 use crate::rows::tables::ErratumRow;
 use crate::rows::value::At;
@@ -9,23 +11,33 @@ use crate::source::Sp;
 /// Applies every erratum of `rows` to the row that it names.
 pub(super) fn apply(rows: &mut Rows, sink: &mut Sink) {
     let errata = std::mem::take(&mut rows.errata);
-    for (place, erratum) in errata.iter().enumerate() {
-        if let Some(first) = errata[..place].iter().find(|e| e.id == erratum.id) {
-            super::duplicate(erratum, first, sink);
-        }
-        let fix = Fixing { erratum, place, errata: &errata };
-        let at = normal(&erratum.at.value.0);
-        let found = fix.table(&at, &mut rows.drive, sink)
-            + fix.table(&at, &mut rows.objects, sink)
-            + fix.table(&at, &mut rows.enums, sink)
-            + fix.table(&at, &mut rows.bits, sink)
-            + fix.table(&at, &mut rows.alarms, sink)
-            + fix.table(&at, &mut rows.pdo, sink);
-        if found != 1 && !rows.left_out.contains(&erratum.at.value.0) {
-            target(erratum, found, &keys(rows), sink);
+    for pair in errata.windows(2).filter(|p| p[0].id == p[1].id) {
+        super::duplicate(&pair[1], &pair[0], sink);
+    }
+    let mut found = vec![0; errata.len()];
+    let fixing = Fixing { errata: &errata, targets: targets(&errata) };
+    fixing.table(&mut rows.drive, &mut found, sink);
+    fixing.table(&mut rows.objects, &mut found, sink);
+    fixing.table(&mut rows.enums, &mut found, sink);
+    fixing.table(&mut rows.bits, &mut found, sink);
+    fixing.table(&mut rows.alarms, &mut found, sink);
+    fixing.table(&mut rows.pdo, &mut found, sink);
+    let keys = keys(rows);
+    for (erratum, found) in errata.iter().zip(found).filter(|(_, found)| *found != 1) {
+        if !rows.left_out.contains(&normal(&erratum.at.value.0)) {
+            target(erratum, found, &keys, sink);
         }
     }
     rows.errata = errata;
+}
+
+/// Errata by the key of the row that they name.
+fn targets(errata: &[ErratumRow]) -> BTreeMap<String, Vec<usize>> {
+    let mut targets: BTreeMap<String, Vec<usize>> = BTreeMap::new();
+    for (place, erratum) in errata.iter().enumerate() {
+        targets.entry(normal(&erratum.at.value.0)).or_default().push(place);
+    }
+    targets
 }
 
 /// An address as rows name themselves, whatever its case.
@@ -37,7 +49,7 @@ fn keys(rows: &Rows) -> Vec<String> {
     let objects = rows.objects.iter().map(Row::key);
     let alarms = rows.alarms.iter().map(Row::key);
     let pdos = rows.pdo.iter().map(Row::key);
-    objects.chain(alarms).chain(pdos).take(1_000).collect()
+    objects.chain(alarms).chain(pdos).take(200).collect()
 }
 
 fn target(erratum: &ErratumRow, found: usize, keys: &[String], sink: &mut Sink) {
@@ -56,24 +68,33 @@ fn target(erratum: &ErratumRow, found: usize, keys: &[String], sink: &mut Sink) 
 }
 
 struct Fixing<'a> {
+    errata: &'a [ErratumRow],
+    targets: BTreeMap<String, Vec<usize>>,
+}
+
+/// One erratum, and its place among all.
+struct Fixer<'a> {
     erratum: &'a ErratumRow,
     place: usize,
     errata: &'a [ErratumRow],
 }
 
 impl Fixing<'_> {
-    /// Applies the erratum to the rows of a table that have its key; how many those are.
-    fn table<R: Row>(&self, at: &str, rows: &mut [R], sink: &mut Sink) -> usize {
-        let mut found = 0;
-        for row in rows.iter_mut().filter(|r| r.key() == at) {
-            found += 1;
-            if found == 1 {
-                self.row(row, sink);
+    /// Applies the errata that name rows of a table, and counts for each how many rows it names.
+    fn table<R: Row>(&self, rows: &mut [R], found: &mut [usize], sink: &mut Sink) {
+        for row in rows {
+            let Some(places) = self.targets.get(&row.key()) else { continue };
+            for &place in places {
+                found[place] += 1;
+                if found[place] == 1 {
+                    Fixer { erratum: &self.errata[place], place, errata: self.errata }.row(row, sink);
+                }
             }
         }
-        found
     }
+}
 
+impl Fixer<'_> {
     fn row<R: Row>(&self, row: &mut R, sink: &mut Sink) {
         if !self.field_exists(R::TABLE.fields.iter().map(|f| f.key), R::TABLE.name, sink)
             || !self.expectation_holds(row, sink)

@@ -24,6 +24,7 @@ pub fn read(file: FileId, sources: &SourceMap, sink: &mut Sink) -> Vec<RawTable>
             .help("correct the text at the marked place; the row that holds it was left out of this run");
         reader.sink.push(finding);
     }
+    reader.broken.sort_by_key(|b| (b.end, b.start));
     reader.tables(root.get_ref())
 }
 
@@ -156,8 +157,10 @@ impl Reader<'_> {
         );
     }
 
+    /// Whether a syntax error lies in `span` or touches it.
     fn is_broken(&self, span: &Range<usize>) -> bool {
-        self.broken.iter().any(|b| b.start <= span.end && span.start <= b.end)
+        let next = self.broken.partition_point(|b| b.end < span.start);
+        self.broken.get(next).is_some_and(|b| b.start <= span.end)
     }
 }
 

@@ -33,10 +33,8 @@ pub(super) fn drive(row: &DriveRow, errata: &[ErratumRow]) -> Drive {
 /// The manuals; a citation of one that is not listed is reported here.
 pub(super) fn manuals(profile: &Profile, sink: &mut Sink) -> Vec<Manual> {
     let rows = &profile.rows.manuals;
-    for (place, row) in rows.iter().enumerate() {
-        if let Some(first) = rows[..place].iter().find(|r| r.id == row.id) {
-            crate::merge::duplicate(row, first, sink);
-        }
+    for pair in rows.windows(2).filter(|p| p[0].id == p[1].id) {
+        crate::merge::duplicate(&pair[1], &pair[0], sink);
     }
     let known: Vec<&str> = rows.iter().map(|m| m.id.value.0.as_str()).collect();
     for cite in citations(profile) {

@@ -294,7 +294,8 @@ impl<'a> Resolver<'a, '_> {
 
     fn left_out(&self, index: u16) -> bool {
         let prefix = format!("{index:04X}:");
-        self.profile.rows.left_out.iter().any(|at| at.to_ascii_uppercase().starts_with(&prefix))
+        let next = self.profile.rows.left_out.range(prefix.clone()..).next();
+        next.is_some_and(|at| at.starts_with(&prefix))
     }
 }
 

@@ -54,7 +54,7 @@ fn mapped(row: &PdoRow, profile: &Profile, model: &Model, sink: &mut Sink) -> Op
     if let Some((entry, _)) = model.entry(address) {
         return Some(PdoEntry { position: row.pos.value, entry, bits: says.fact("bits", row.bits) });
     }
-    if !profile.rows.left_out.iter().any(|at| at.eq_ignore_ascii_case(&address.to_string())) {
+    if !profile.rows.left_out.contains(&address.to_string()) {
         sink.push(
             Diagnostic::new(code::UNKNOWN_OBJECT, row.entry.span, format!("there is no object {address}"))
                 .why("a PDO can carry only what the dictionary has")

@@ -50,7 +50,7 @@ impl<T: Clone, I: crate::model::Id> Named<T, I> {
         let name = Name::new(&text.value.0);
         let found = name.as_ref().and_then(|n| self.id(n.words()));
         if found.is_none() {
-            let known: Vec<String> = self.defined.keys().map(|words| words.join(" ")).collect();
+            let known: Vec<String> = self.defined.keys().take(200).map(|words| words.join(" ")).collect();
             let known: Vec<&str> = known.iter().map(String::as_str).collect();
             sink.push(
                 Diagnostic::new(unknown, text.span, format!("there is no table `{}`", text.value.0))
@@ -155,8 +155,8 @@ fn bits_def(rows: Vec<&BitRow>, base: Option<&str>, errata: &[ErratumRow], sink:
     let field = |row: &&BitRow| {
         let says = Says { base, ..Says::plain(&row.meta, row.src.as_ref(), errata) };
         BitField {
-            bit: row.bit.value,
-            width: row.width.map_or(1, |w| w.value),
+            bit: row.bit.value.0,
+            width: row.width.map_or(1, |w| w.value.0),
             mode: row.mode.map(|m| m.value),
             name: says.fact("label", label(&row.label, row.rename.as_ref())),
             text: row.text.as_ref().map(|t| t.value.0.clone()),

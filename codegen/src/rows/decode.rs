@@ -2,6 +2,7 @@
 
 use super::value::FromRaw;
 use crate::diag::{Code, Diagnostic, Sink, code};
+use crate::limits;
 use crate::raw::{RawRow, RawValue};
 use crate::source::Sp;
 
@@ -150,16 +151,20 @@ impl<'a> Decoder<'a> {
 
 /// `did you mean` for a word, else the whole list.
 pub(crate) fn suggest(word: &str, known: &[&str]) -> String {
-    let near = known.iter().map(|k| (distance(word, k), *k)).min();
+    let near =
+        known.iter().filter(|k| k.len().abs_diff(word.len()) <= 2).map(|k| (distance(word, k), *k)).min();
     match near {
         Some((d, k)) if d <= 2 && d < k.len() => format!("did you mean `{k}`?"),
+        _ if known.len() > limits::SUGGESTIONS => {
+            format!("known: {}, ...", known[..limits::SUGGESTIONS].join(", "))
+        }
         _ => format!("known: {}", known.join(", ")),
     }
 }
 
 /// Edits between two short words; long ones count as far apart, so that a hostile key costs nothing.
 fn distance(a: &str, b: &str) -> usize {
-    if a.len() > 64 || b.len() > 64 {
+    if a.len() > 64 {
         return usize::MAX;
     }
     let b: Vec<char> = b.chars().collect();

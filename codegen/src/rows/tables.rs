@@ -1,7 +1,9 @@
 //! Every table and every key, once.
 
+use std::collections::BTreeSet;
+
 use super::decode::{Decoder, FieldInfo, TableInfo, suggest};
-use super::value::{At, Count, Date, FromRaw, Ident, Reason, Sha256, Text, Version};
+use super::value::{At, Bit, Count, Date, FromRaw, Ident, Reason, Sha256, Text, Version, Width};
 use super::{Meta, Row};
 use crate::diag::{Diagnostic, Sink, code};
 use crate::model::{Access, Address, Cite, Direction, Mapping, ObjectKind, Reset, Sure, Type, Unit, Value};
@@ -90,7 +92,7 @@ macro_rules! tables {
         pub struct Rows {
             $( $(#[doc = $doc])+ pub $table: Vec<$row>, )+
             /// Keys of rows that were left out because something in them is wrong; what refers to them is not reported again.
-            pub left_out: Vec<String>,
+            pub left_out: BTreeSet<String>,
         }
 
         impl Rows {
@@ -108,13 +110,18 @@ macro_rules! tables {
     };
 }
 
-fn decode_rows<R: Row>(rows: Vec<RawRow>, out: &mut Vec<R>, left_out: &mut Vec<String>, sink: &mut Sink) {
+fn decode_rows<R: Row>(
+    rows: Vec<RawRow>,
+    out: &mut Vec<R>,
+    left_out: &mut BTreeSet<String>,
+    sink: &mut Sink,
+) {
     out.reserve(rows.len());
     for raw in rows {
         let at = raw.get("at").map(|at| at.value.clone());
         match (R::decode(raw, sink), at) {
             (Some(row), _) => out.push(row),
-            (None, Some(RawValue::Text(at))) => left_out.push(at),
+            (None, Some(RawValue::Text(at))) => drop(left_out.insert(at.to_ascii_uppercase())),
             (None, _) => {}
         }
     }
@@ -243,14 +250,14 @@ tables! {
     /// A named bit, or several that belong together.
     BitRow in bits, key |row| {
         let mode = row.mode.map_or_else(String::new, |m| format!(" mode {}", m.value));
-        format!("bits {}.{}{mode}", row.name.value, row.bit.value)
+        format!("bits {}.{}{mode}", row.name.value, row.bit.value.0)
     } {
         /// The table's name.
         name "name": required Name,
         /// The lowest bit.
-        bit "bit": required u8,
+        bit "bit": required Bit,
         /// How many bits; 1 when left out.
-        width "width": optional u8,
+        width "width": optional Width,
         /// The mode of operation (6060h) in which it has this meaning; every mode when left out.
         mode "mode": optional i8,
         /// The bit's name.

@@ -182,6 +182,35 @@ macro_rules! integers {
 
 integers!(u8 u16 u32 i8);
 
+macro_rules! bounded {
+    ($($(#[$doc:meta])* $name:ident $range:expr;)*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+        pub struct $name(pub u8);
+
+        impl FromRaw for $name {
+            const KIND: Kind = Kind::Int(*$range.start() as i128, *$range.end() as i128);
+
+            fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+                let RawValue::Int(n) = raw else { return Err(Expected::kind(raw, "a whole number")) };
+                u8::try_from(*n).ok().filter(|n| $range.contains(n)).map(Self).ok_or_else(|| Expected {
+                    code: code::NUMBER_RANGE,
+                    message: format!("{n} does not fit"),
+                    why: format!("the value goes from {} to {}", $range.start(), $range.end()),
+                    help: "correct the number".into(),
+                })
+            }
+        }
+    )*};
+}
+
+bounded! {
+    /// A bit of an object, from 0.
+    Bit 0..=limits::OBJECT_BITS - 1;
+    /// How many bits belong together.
+    Width 1..=limits::OBJECT_BITS;
+}
+
 /// A raw count of an object: what 64 bits, signed or not, can hold.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Count(pub i128);
