@@ -9,7 +9,7 @@ pub const PATH_BYTES: usize = 200;
 /// Rows of one table in one file.
 pub const ROWS: usize = 100_000;
 /// Object entries of a drive after ranges are expanded.
-pub const ENTRIES: usize = 1_000_000;
+pub const ENTRIES: usize = 100_000;
 /// Findings that a run keeps; further ones are counted.
 pub const FINDINGS: usize = 10_000;
 /// Names that a message lists where none is near the one written.

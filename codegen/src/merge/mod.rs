@@ -128,7 +128,8 @@ pub struct ObjectIndex {
 }
 
 impl ObjectIndex {
-    /// Indexes `rows`; an address that two rows state is reported and keeps the first.
+    /// Indexes `rows`; an address that two rows state is reported and keeps the first. Stops once there are more
+    /// entries than a drive may have, which resolving reports.
     pub fn new(rows: &[ObjectRow], sink: &mut Sink) -> Self {
         let mut index = Self::default();
         for (place, row) in rows.iter().enumerate() {
@@ -138,6 +139,9 @@ impl ObjectIndex {
                 continue;
             }
             let mut clash = None;
+            if index.entries.len() > limits::ENTRIES {
+                break;
+            }
             for address in row.at.value.addresses() {
                 let first = *index.entries.entry(address).or_insert(place);
                 clash = clash.or((first != place).then_some(first));

@@ -17,8 +17,10 @@ pub enum RawValue {
     Bool(bool),
     /// A list.
     List(Vec<Sp<RawValue>>),
-    /// Something that no field takes, with its name; the reader has reported it where it is wrong by itself.
+    /// Something that no field takes, with its name.
     Other(&'static str),
+    /// Something that is wrong by itself; the reader has reported it.
+    Reported,
 }
 
 impl RawValue {
@@ -30,6 +32,7 @@ impl RawValue {
             Self::Bool(_) => "true or false",
             Self::List(_) => "a list",
             Self::Other(kind) => kind,
+            Self::Reported => "a value that cannot be read",
         }
     }
 }
@@ -44,7 +47,7 @@ impl std::fmt::Display for RawValue {
                 let items: Vec<String> = items.iter().map(|i| i.value.to_string()).collect();
                 write!(f, "[{}]", items.join(", "))
             }
-            Self::Other(kind) => f.write_str(kind),
+            Self::Other(_) | Self::Reported => f.write_str(self.kind()),
         }
     }
 }

@@ -125,7 +125,7 @@ impl Reader<'_> {
             DeValue::Boolean(b) => RawValue::Bool(*b),
             DeValue::Float(number) => {
                 self.float(number.as_str(), value.span());
-                RawValue::Other("a number with a fraction")
+                RawValue::Reported
             }
             DeValue::Datetime(_) => RawValue::Other("a date without quotes"),
             DeValue::Table(_) => RawValue::Other("a table"),
@@ -145,7 +145,7 @@ impl Reader<'_> {
                 .why("no object of a drive is wider than 64 bits")
                 .help("correct the number"),
         );
-        RawValue::Other("a number that is too large")
+        RawValue::Reported
     }
 
     fn float(&mut self, text: &str, span: Range<usize>) {

@@ -43,11 +43,13 @@ pub(super) fn resolve(profile: &Profile, tables: Tables, sink: &mut Sink) -> Res
     }
     let mut resolver = Resolver { profile, tables, base_entries, base_whole, sink };
     if own.entries.len() > limits::ENTRIES {
-        resolver.too_many(own.entries.len());
+        resolver.too_many();
+        let (enums, bits) = resolver.tables.into_used();
+        return Resolved { objects: Arena::default(), entries: Arena::default(), enums, bits };
     }
     let mut objects = Arena::default();
     let mut entries: Arena<EntryId, Entry> = Arena::default();
-    for (address, place) in own.entries.iter().take(limits::ENTRIES) {
+    for (address, place) in &own.entries {
         let Some(entry) =
             resolver.entry(*address, &profile.rows.objects[*place], ObjectId::at(objects.len()))
         else {
@@ -121,10 +123,10 @@ fn first_of(entry: &Entry) -> Object {
 }
 
 impl<'a> Resolver<'a, '_> {
-    fn too_many(&mut self, count: usize) {
+    fn too_many(&mut self) {
         let span = self.profile.rows.objects.first().map_or_else(Span::nowhere, |r| r.meta.span());
         self.sink.push(
-            Diagnostic::new(code::TOO_MANY_ENTRIES, span, format!("{count} entries"))
+            Diagnostic::new(code::TOO_MANY_ENTRIES, span, "too many entries")
                 .why(format!("a drive has at most {}", limits::ENTRIES))
                 .help("look for a range of sub-indexes that is too wide"),
         );

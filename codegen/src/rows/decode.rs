@@ -107,6 +107,10 @@ impl<'a> Decoder<'a> {
     /// The value of a key that the row may have.
     pub fn optional<T: FromRaw>(&mut self, key: &str) -> Option<Sp<T>> {
         let raw = self.raw.get(key)?;
+        if raw.value == RawValue::Reported {
+            self.bad = true;
+            return None;
+        }
         match T::from_raw(&raw.value) {
             Ok(value) => Some(Sp::new(value, raw.span)),
             Err(expected) => {

@@ -251,7 +251,7 @@ impl FromRaw for RawValue {
 
     fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
         match raw {
-            Self::Other(_) => Err(Expected::kind(raw, "a value")),
+            Self::Other(_) | Self::Reported => Err(Expected::kind(raw, "a value")),
             _ => Ok(raw.clone()),
         }
     }

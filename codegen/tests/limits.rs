@@ -1,0 +1,202 @@
+//! Hostile and oversized profiles: each is refused with its own code, and quickly.
+
+#![allow(clippy::expect_used, clippy::disallowed_methods, reason = "a test measures that it does not hang")]
+
+use std::fmt::Write;
+use std::time::{Duration, Instant};
+
+use drivewright_codegen::source::Source;
+use drivewright_codegen::{compile, limits};
+
+const DRIVE: &str = r#"
+[drive]
+format = 1
+id = "x1"
+vendor = "Acme"
+vendor_id = "acme"
+name = "X1"
+crate_version = "0.1.0"
+eds_version = 1
+eds_revision = 0
+date = "2026-01-01"
+"#;
+
+/// Far more than any of these takes, so that a slow machine passes and quadratic work does not.
+const PATIENCE: Duration = Duration::from_secs(20);
+
+/// The codes that `tables` gives, each once, in order.
+fn codes(tables: &str) -> Vec<&'static str> {
+    let start = Instant::now();
+    let text = format!("{tables}\n{DRIVE}");
+    assert!(text.len() <= limits::FILE_BYTES, "the loader would refuse {} bytes", text.len());
+    let compiled = compile(vec![Source { path: "drive.toml".into(), text }]);
+    assert!(compiled.sound().is_none(), "a hostile profile compiled");
+    let mut codes: Vec<&str> = compiled.diagnostics.iter().map(|d| d.code.id()).collect();
+    assert!(codes.len() <= limits::FINDINGS + 1);
+    codes.sort_unstable();
+    codes.dedup();
+    assert!(start.elapsed() < PATIENCE, "took {:?}", start.elapsed());
+    codes
+}
+
+fn object(rest: &str) -> String {
+    format!(
+        r#"objects = [ {{ at = "2000:00", name = "Speed", type = "u16", access = "rw", src = "1 L1"{rest} }} ]"#
+    )
+}
+
+#[test]
+fn texts_and_lists_are_bounded() {
+    assert_eq!(codes(&object(&format!(r#", text = "{}""#, "x".repeat(limits::TEXT_BYTES + 1)))), ["E0108"]);
+    let name = object("").replace("Speed", &"x".repeat(limits::NAME_BYTES + 1));
+    assert_eq!(codes(&name), ["E0108"]);
+    assert_eq!(codes(&object(&format!(", allow = [{}]", "1,".repeat(limits::LIST_VALUES + 1)))), ["E0108"]);
+}
+
+#[test]
+fn hidden_characters_are_refused() {
+    for hidden in
+        ["\\u0000", "\\n", "\\r", "\\t", "\\u202E", "\\u2066", "\\u200B", "\\uFEFF", "\\u2028", "\\u007F"]
+    {
+        assert_eq!(codes(&object("").replace("Speed", &format!("Sp{hidden}eed"))), ["E0006"], "{hidden}");
+    }
+}
+
+#[test]
+fn numbers_do_not_wrap() {
+    for number in [
+        "0xFFFFFFFFFFFFFFFFFF",
+        "-0x1",
+        "99999999999999999999999999999999999999999999",
+        "18446744073709551616",
+    ] {
+        let found = codes(&object(&format!(", default = {number}")));
+        assert!(found == ["E0107"] || found == ["E0101"], "{number}: {found:?}");
+    }
+    for number in ["0.0", "1e3", "nan", "inf"] {
+        assert_eq!(codes(&object(&format!(", default = {number}"))), ["E0114"], "{number}");
+    }
+}
+
+#[test]
+fn units_cannot_divide_by_zero() {
+    for unit in [
+        "0 rpm",
+        "1/0 rpm",
+        "0/1 rpm",
+        "0.0 rpm",
+        "-1 rpm",
+        "1e3 rpm",
+        "1//2 rpm",
+        "9999999999 rpm",
+        "rpm rpm",
+    ] {
+        assert_eq!(codes(&object(&format!(r#", unit = "{unit}""#))), ["E0112"], "{unit}");
+    }
+}
+
+#[test]
+fn ids_cannot_leave_the_folder() {
+    for id in ["../x", "/etc", "a/b", "a\\\\b", "C:x", "..", "x.toml", "x y", "X1", "1x", "con\\u0000"] {
+        let text = DRIVE.replace("\"x1\"", &format!("\"{id}\""));
+        let compiled = compile(vec![Source { path: "drive.toml".into(), text }]);
+        assert!(compiled.sound().is_none() && !compiled.diagnostics.is_empty(), "{id}");
+    }
+}
+
+#[test]
+fn nesting_does_not_overflow_the_stack() {
+    for (open, close) in [("[", "]"), ("{a=", "}")] {
+        let deep = format!("objects = {}1{}", open.repeat(200_000), close.repeat(200_000));
+        assert!(codes(&deep).contains(&"E0101"));
+    }
+    assert!(
+        codes(&format!("[{}]\nx = 1", "a.".repeat(200_000) + "a"))
+            .iter()
+            .any(|c| *c == "E0101" || *c == "E0102")
+    );
+}
+
+#[test]
+fn too_many_rows_are_refused_at_once() {
+    assert_eq!(codes(&format!("objects = [{}]", "{},".repeat(limits::ROWS + 1))), ["E0109"]);
+}
+
+#[test]
+fn many_bad_rows_are_counted_not_kept() {
+    let found = codes(&format!("objects = [{}]", "{},".repeat(limits::ROWS)));
+    assert_eq!(found, ["E0007", "E0104"]);
+}
+
+#[test]
+fn many_syntax_errors_take_linear_time() {
+    let found = codes(&format!("objects = [\n{}]", "{ at = = 1 },\n".repeat(100_000)));
+    assert!(found.contains(&"E0101"), "{found:?}");
+}
+
+#[test]
+fn many_errata_that_match_nothing_take_linear_time() {
+    let mut tables = object("");
+    tables.push_str("\nerrata = [\n");
+    for n in 0..50_000 {
+        let _ = writeln!(
+            tables,
+            r#"{{ id = "E{n}", at = "3{:03X}:{:02X}", field = "min", was = 1, seen = "1 L1", why = "w", sure = "low" }},"#,
+            n / 256,
+            n % 256
+        );
+    }
+    tables.push(']');
+    assert_eq!(codes(&tables), ["E0007", "E0203"]);
+}
+
+#[test]
+fn ranges_do_not_multiply_without_bound() {
+    let mut tables = String::from("objects = [\n");
+    for index in 0..4_000 {
+        let _ = writeln!(
+            tables,
+            r#"{{ at = "{:04X}:00..FF", name = "N{index}", type = "u8", access = "rw", src = "1 L1" }},"#,
+            0x2000 + index
+        );
+    }
+    tables.push(']');
+    assert!(codes(&tables).contains(&"E0310"));
+}
+
+#[test]
+fn long_unknown_keys_cost_nothing() {
+    let row = format!("{{ {} = 1 }},\n", "k".repeat(60));
+    let found = codes(&format!("objects = [\n{}]", row.repeat(80_000)));
+    assert_eq!(found, ["E0007", "E0103", "E0104"]);
+}
+
+#[test]
+fn bases_and_process_data_are_bounded() {
+    let many: Vec<String> = (0..=limits::BASES).map(|n| format!("\"b{n}\"")).collect();
+    let text = format!("{DRIVE}bases = [{}]\n", many.join(", "));
+    let compiled = compile(vec![Source { path: "drive.toml".into(), text }]);
+    assert_eq!(compiled.diagnostics.iter().map(|d| d.code.id()).collect::<Vec<_>>(), ["E0108"]);
+    let mut tables = object(r#", pdo = "rx""#);
+    tables.push_str("\npdo = [\n");
+    for n in 0..=limits::PDOS {
+        let _ = writeln!(
+            tables,
+            r#"{{ map = {n}, dir = "rx", pos = 1, entry = "2000:00", bits = 16, src = "1 L1" }},"#
+        );
+    }
+    tables.push(']');
+    assert!(codes(&tables).contains(&"E0108"));
+}
+
+#[test]
+fn a_profile_without_a_drive_or_with_two_is_refused() {
+    let none = compile(vec![Source { path: "objects.toml".into(), text: object("") }]);
+    assert_eq!(none.diagnostics.iter().map(|d| d.code.id()).collect::<Vec<_>>(), ["E0209"]);
+    let two = compile(vec![
+        Source { path: "a.toml".into(), text: DRIVE.into() },
+        Source { path: "b.toml".into(), text: DRIVE.into() },
+    ]);
+    assert_eq!(two.diagnostics.iter().map(|d| d.code.id()).collect::<Vec<_>>(), ["E0209"]);
+    assert_eq!(compile(Vec::new()).diagnostics.len(), 1);
+}
