@@ -152,6 +152,8 @@ pub struct PdoEntry {
     pub position: u8,
     /// The mapped entry.
     pub entry: EntryId,
+    /// Who says that it stands here.
+    pub origin: Origin,
     /// Its length as the mapping states it.
     pub bits: Fact<u8>,
 }

@@ -151,8 +151,10 @@ pub struct EnumDef {
 pub struct EnumValue {
     /// The value.
     pub value: i128,
-    /// Its name; unique by words in the table.
+    /// Its name in code; unique by words in the table. The origin is that of the printed one.
     pub name: Fact<Name>,
+    /// Its name as printed.
+    pub printed: String,
     /// What it does, in our words.
     pub text: Option<String>,
 }
@@ -175,8 +177,10 @@ pub struct BitField {
     pub width: u8,
     /// Mode of operation (6060h) in which the bits have this meaning; `None`: in every mode.
     pub mode: Option<i8>,
-    /// Its name; unique by words among the fields of its mode.
+    /// Its name in code; unique by words among the fields of its mode. The origin is that of the printed one.
     pub name: Fact<Name>,
+    /// Its name as printed.
+    pub printed: String,
     /// What it does, in our words.
     pub text: Option<String>,
     /// Why it may differ from the standard.
@@ -220,8 +224,10 @@ pub struct Alarm {
     pub code: Fact<u16>,
     /// Auxiliary code of the emergency message.
     pub aux: Option<Fact<u16>>,
-    /// Its name.
+    /// Its name in code. The origin is that of the printed one.
     pub name: Fact<Name>,
+    /// Its name as printed.
+    pub printed: String,
     /// How it is cleared; `None` where the manual does not say.
     pub reset: Option<Fact<Reset>>,
     /// Causes, in our words.

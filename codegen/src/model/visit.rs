@@ -43,7 +43,7 @@ impl Model {
         for pdo in &self.pdos {
             rows.extend(pdo.entries.iter().map(|e| RowOrigins {
                 row: format!("pdo {:04X}:{}", pdo.index, e.position),
-                origins: vec![&e.bits.origin],
+                origins: vec![&e.origin, &e.bits.origin],
             }));
         }
         rows

@@ -273,6 +273,8 @@ impl<'a> Resolver<'a, '_> {
         let single = object.entries.len() == 1 && entries[object.entries[0]].address.sub == 0;
         if let Some(name) = pick_name(whole).or_else(|| if single { None } else { standard() }) {
             object.name = name;
+        } else if !single {
+            object.name.origin.class = Class::Inferred("the name of its lowest sub-index".to_owned());
         }
         let stated = whole.and_then(|r| self.pick("kind", r, base, |r| r.kind.as_ref()));
         let standard = base.and_then(|(name, r)| r.kind.map(|k| self.says(r, Some(name)).fact("kind", k)));

@@ -34,6 +34,13 @@ impl<'a> Says<'a> {
         Fact::new(value.value, self.origin(key, value.span))
     }
 
+    /// A value that several keys make together, such as a name and the number that it names; an erratum of any of them
+    /// concerns it.
+    pub(super) fn joint<T>(&self, keys: &[&str], value: Sp<T>) -> Fact<T> {
+        let fixed = keys.iter().find(|key| self.meta.fix(key).is_some());
+        self.fact(fixed.or(keys.first()).unwrap_or(&""), value)
+    }
+
     fn origin(&self, key: &str, span: Span) -> Origin {
         if let Some(base) = self.base {
             return Origin { class: Class::Standard(base.to_owned()), span, cite: None, erratum: None };

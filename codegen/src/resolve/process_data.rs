@@ -52,7 +52,8 @@ fn mapped(row: &PdoRow, profile: &Profile, model: &Model, sink: &mut Sink) -> Op
     let address = row.entry.value;
     let says = Says::plain(&row.meta, row.src.as_ref(), &profile.rows.errata);
     if let Some((entry, _)) = model.entry(address) {
-        return Some(PdoEntry { position: row.pos.value, entry, bits: says.fact("bits", row.bits) });
+        let origin = says.fact("entry", row.entry).origin;
+        return Some(PdoEntry { position: row.pos.value, entry, origin, bits: says.fact("bits", row.bits) });
     }
     if !profile.rows.left_out.contains(&address.to_string()) {
         sink.push(

@@ -142,7 +142,8 @@ fn enum_def(rows: Vec<&EnumRow>, base: Option<&str>, errata: &[ErratumRow], sink
         let says = Says { base, ..Says::plain(&row.meta, row.src.as_ref(), errata) };
         EnumValue {
             value: row.value.value.0,
-            name: says.fact("label", label(&row.label, row.rename.as_ref())),
+            name: says.joint(&["label", "value"], label(&row.label, row.rename.as_ref())),
+            printed: row.label.value.original().to_owned(),
             text: row.text.as_ref().map(|t| t.value.0.clone()),
         }
     };
@@ -158,7 +159,8 @@ fn bits_def(rows: Vec<&BitRow>, base: Option<&str>, errata: &[ErratumRow], sink:
             bit: row.bit.value.0,
             width: row.width.map_or(1, |w| w.value.0),
             mode: row.mode.map(|m| m.value),
-            name: says.fact("label", label(&row.label, row.rename.as_ref())),
+            name: says.joint(&["label", "bit", "width", "mode"], label(&row.label, row.rename.as_ref())),
+            printed: row.label.value.original().to_owned(),
             text: row.text.as_ref().map(|t| t.value.0.clone()),
             deviation: row.deviation.as_ref().map(|d| d.value.0.clone()),
         }
