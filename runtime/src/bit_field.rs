@@ -92,8 +92,9 @@ impl<'m> BitDesc<'m> {
 
     /// With this meaning only in one mode of operation (6060h).
     #[must_use]
-    pub const fn in_mode(self, mode: i8) -> Self {
-        Self { mode: Some(mode), ..self }
+    pub const fn in_mode(mut self, mode: i8) -> Self {
+        self.mode = Some(mode);
+        self
     }
 
     /// The lowest bit.
@@ -198,12 +199,12 @@ where
 /// ```
 #[macro_export]
 macro_rules! bit_field {
-    ($(
+    (
         $(#[$meta:meta])*
         $vis:vis struct $name:ident($repr:ty) {
             $($(#[$bit_meta:meta])* $bit_name:ident: $low:literal $(..= $high:literal)?),* $(,)?
         }
-    )*) => {$(
+    ) => {
         $(#[$meta])*
         #[derive(Clone, Copy, PartialEq, Eq)]
         #[repr(transparent)]
@@ -269,6 +270,7 @@ macro_rules! bit_field {
         }
 
         impl ::core::fmt::Debug for $name {
+            #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 $crate::bit_field::debug(f, stringify!($name), *self)
             }
@@ -276,7 +278,7 @@ macro_rules! bit_field {
 
         $crate::__serde!($name);
         $crate::__defmt!($name);
-    )*};
+    };
 }
 
 /// The bits of `word`, moved down to bit 0.
@@ -321,6 +323,9 @@ mod tests {
             /// All.
             ALL: 0..=15,
         }
+    }
+
+    crate::bit_field! {
         /// As wide as it gets.
         struct Wide(u64) {
             /// All.

@@ -121,8 +121,7 @@ impl<N: Newtype> Count for N {
 
 /// `Debug` of every `wire_enum!`: the name where there is one, otherwise type and number.
 #[doc(hidden)]
-pub fn debug<N: Newtype>(f: &mut fmt::Formatter<'_>, table: &EnumDesc<'_>, value: N) -> fmt::Result {
-    let value = value.to_count();
+pub fn debug(f: &mut fmt::Formatter<'_>, table: &EnumDesc<'_>, value: i128) -> fmt::Result {
     match table.name_of(value) {
         Some(name) => write!(f, "{name} ({value})"),
         None => write!(f, "{} {value}", table.name),
@@ -159,12 +158,12 @@ pub fn debug<N: Newtype>(f: &mut fmt::Formatter<'_>, table: &EnumDesc<'_>, value
 /// ```
 #[macro_export]
 macro_rules! wire_enum {
-    ($(
+    (
         $(#[$meta:meta])*
         $vis:vis struct $name:ident($repr:ty) = $words:literal {
             $($(#[$value_meta:meta])* $value_name:ident = $value:literal => $value_words:literal),* $(,)?
         }
-    )*) => {$(
+    ) => {
         $(#[$meta])*
         #[derive(Clone, Copy, PartialEq, Eq)]
         #[repr(transparent)]
@@ -184,6 +183,7 @@ macro_rules! wire_enum {
             );
 
             /// The name in words; `None` for a number that the manual does not name.
+            #[inline]
             $vis fn name(self) -> ::core::option::Option<&'static str> {
                 Self::DESC.name_of($crate::Count::to_count(self))
             }
@@ -204,14 +204,15 @@ macro_rules! wire_enum {
         }
 
         impl ::core::fmt::Debug for $name {
+            #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                $crate::wire_enum::debug(f, &Self::DESC, *self)
+                $crate::wire_enum::debug(f, &Self::DESC, $crate::Count::to_count(*self))
             }
         }
 
         $crate::__serde!($name);
         $crate::__defmt!($name);
-    )*};
+    };
 }
 
 #[cfg(test)]
@@ -227,6 +228,9 @@ mod tests {
             /// Below zero.
             VENDOR = -3 => "vendor mode",
         }
+    }
+
+    crate::wire_enum! {
         /// None.
         struct Nothing(u32) = "nothing" {}
     }

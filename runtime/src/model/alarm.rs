@@ -38,14 +38,17 @@ impl<'m> AlarmDesc<'m> {
 
     /// With the auxiliary code of the emergency message.
     #[must_use]
-    pub const fn with_aux(self, aux: u16) -> Self {
-        Self { aux, has_aux: true, ..self }
+    pub const fn with_aux(mut self, aux: u16) -> Self {
+        self.aux = aux;
+        self.has_aux = true;
+        self
     }
 
     /// With the way it is cleared.
     #[must_use]
-    pub const fn with_reset(self, reset: Reset) -> Self {
-        Self { reset, ..self }
+    pub const fn with_reset(mut self, reset: Reset) -> Self {
+        self.reset = reset;
+        self
     }
 
     /// What the panel shows; one display may stand for several numbers.

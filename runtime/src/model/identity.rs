@@ -20,20 +20,23 @@ impl<'m> Identity<'m> {
 
     /// With the vendor id, 1018:01.
     #[must_use]
-    pub const fn with_vendor_id(self, vendor_id: u32) -> Self {
-        Self { vendor_id: Some(vendor_id), ..self }
+    pub const fn with_vendor_id(mut self, vendor_id: u32) -> Self {
+        self.vendor_id = Some(vendor_id);
+        self
     }
 
     /// With the product code, 1018:02.
     #[must_use]
-    pub const fn with_product_code(self, product_code: u32) -> Self {
-        Self { product_code: Some(product_code), ..self }
+    pub const fn with_product_code(mut self, product_code: u32) -> Self {
+        self.product_code = Some(product_code);
+        self
     }
 
     /// With the revision number, 1018:03.
     #[must_use]
-    pub const fn with_revision(self, revision: u32) -> Self {
-        Self { revision: Some(revision), ..self }
+    pub const fn with_revision(mut self, revision: u32) -> Self {
+        self.revision = Some(revision);
+        self
     }
 
     /// The id of the profile.

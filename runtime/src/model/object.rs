@@ -86,32 +86,41 @@ impl<'m> ObjectDesc<'m> {
 
     /// With the lowest and highest raw value; `i64::MIN` and `i64::MAX` where none is stated.
     #[must_use]
-    pub const fn range(self, min: i64, max: i64) -> Self {
-        Self { min, max, ..self }
+    pub const fn range(mut self, min: i64, max: i64) -> Self {
+        self.min = min;
+        self.max = max;
+        self
     }
 
     /// With the raw value as the drive ships.
     #[must_use]
-    pub const fn default_int(self, default: i64) -> Self {
-        Self { default, flags: self.flags | HAS_DEFAULT, ..self }
+    pub const fn default_int(mut self, default: i64) -> Self {
+        self.default = default;
+        self.flags |= HAS_DEFAULT;
+        self
     }
 
     /// With a unit: a row of the model's table, 0 to 254. 255 means that none is stated.
     #[must_use]
-    pub const fn unit(self, unit: u8) -> Self {
-        Self { unit, ..self }
+    pub const fn unit(mut self, unit: u8) -> Self {
+        self.unit = unit;
+        self
     }
 
     /// With named values: a row of the model's table.
     #[must_use]
-    pub const fn values(self, index: u16) -> Self {
-        Self { meaning: index, flags: (self.flags & !HAS_BITS) | HAS_ENUM, ..self }
+    pub const fn values(mut self, index: u16) -> Self {
+        self.meaning = index;
+        self.flags = (self.flags & !HAS_BITS) | HAS_ENUM;
+        self
     }
 
     /// With named bits: a row of the model's table.
     #[must_use]
-    pub const fn bits(self, index: u16) -> Self {
-        Self { meaning: index, flags: (self.flags & !HAS_ENUM) | HAS_BITS, ..self }
+    pub const fn bits(mut self, index: u16) -> Self {
+        self.meaning = index;
+        self.flags = (self.flags & !HAS_ENUM) | HAS_BITS;
+        self
     }
 
     /// Index and sub-index.

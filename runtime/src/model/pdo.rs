@@ -40,20 +40,23 @@ impl<'m> PdoDesc<'m> {
 
     /// With the most entries that it can hold.
     #[must_use]
-    pub const fn with_max_entries(self, entries: u8) -> Self {
-        Self { max_entries: Some(entries), ..self }
+    pub const fn with_max_entries(mut self, entries: u8) -> Self {
+        self.max_entries = Some(entries);
+        self
     }
 
     /// With the most bytes that it can hold.
     #[must_use]
-    pub const fn with_max_bytes(self, bytes: u16) -> Self {
-        Self { max_bytes: Some(bytes), ..self }
+    pub const fn with_max_bytes(mut self, bytes: u16) -> Self {
+        self.max_bytes = Some(bytes);
+        self
     }
 
     /// With what a master may change.
     #[must_use]
-    pub const fn with_remap(self, remap: Remap) -> Self {
-        Self { remap, ..self }
+    pub const fn with_remap(mut self, remap: Remap) -> Self {
+        self.remap = remap;
+        self
     }
 
     /// The mapping object, at sub-index 0.

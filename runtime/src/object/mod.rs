@@ -67,15 +67,19 @@ impl<T, A, M, Q> Object<T, A, M, Q> {
     ///
     /// `i64::MIN` and `i64::MAX` mean that no limit is stated. If `min` is above `max`, every value is refused.
     #[must_use]
-    pub const fn range(self, min: i64, max: i64) -> Self {
-        Self { min, max, ..self }
+    pub const fn range(mut self, min: i64, max: i64) -> Self {
+        self.min = min;
+        self.max = max;
+        self
     }
 
     /// With one count as `num / den` base units of `Q`. With a 0, every conversion fails with
     /// [`ConvertError::NoScale`].
     #[must_use]
-    pub const fn scale(self, num: u32, den: u32) -> Self {
-        Self { num, den, ..self }
+    pub const fn scale(mut self, num: u32, den: u32) -> Self {
+        self.num = num;
+        self.den = den;
+        self
     }
 
     /// Index and sub-index.

@@ -136,14 +136,14 @@ pub fn take<T: Fixed>(frame: &[u8], at: &mut usize) -> T {
 /// ```
 #[macro_export]
 macro_rules! pdo_layout {
-    ($(
+    (
         $(#[$meta:meta])*
         $vis:vis struct $name:ident: $direction:ident
             $(, entries <= $entries:literal)? $(, bytes <= $bytes:literal)?
         {
             $($(#[$field_meta:meta])* $field:ident: $ty:ty = $object:expr),* $(,)?
         }
-    )*) => {$(
+    ) => {
         $(#[$meta])*
         #[derive(Clone, Copy, PartialEq, Debug)]
         $vis struct $name {
@@ -233,7 +233,7 @@ macro_rules! pdo_layout {
             $name::BYTES <= $bytes,
             concat!("PDO layout `", stringify!($name), "` is longer than the ", $bytes, " bytes that the drive can map"),
         );)?
-    )*};
+    };
 }
 
 #[cfg(test)]
@@ -256,6 +256,9 @@ mod tests {
             mode: i8 = MODE,
             probe: I24 = PROBE,
         }
+    }
+
+    crate::pdo_layout! {
         /// As the manual states no limits.
         struct Empty: Rx {}
     }
