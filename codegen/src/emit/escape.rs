@@ -50,18 +50,21 @@ pub fn markdown(text: &str) -> String {
     out
 }
 
-/// A value in an INI file (EDS, DCF): one line of printable ASCII, without a comment sign; what ASCII cannot say becomes `?`.
+/// A value in an INI file (EDS, DCF): one line of printable ASCII without the signs that some reader takes for a comment,
+/// an escape or a quote. What ASCII cannot say becomes `?`.
 pub fn ini(text: &str) -> String {
     let ascii: String = one_line(text)
+        .replace('#', "No.")
         .chars()
         .map(|c| match c {
             ';' => ',',
+            '\\' => '/',
             c if c.is_ascii() => c,
             'µ' | 'μ' => 'u',
             _ => '?',
         })
         .collect();
-    ascii.trim().to_owned()
+    ascii.trim_start_matches([' ', '"', '\'']).trim_end().to_owned()
 }
 
 #[cfg(test)]
@@ -74,6 +77,7 @@ mod tests {
     fn ini_stays_on_one_line() {
         let out = ini(HOSTILE);
         assert!(!out.contains('\n') && out.is_ascii() && !out.contains('\0'));
+        assert_eq!(ini("\"Motor\" #1; C:\\x µm"), "Motor\" No.1, C:/x um");
     }
 
     #[test]

@@ -1,9 +1,26 @@
-//! The CANopen electronic data sheet (CiA 306).
+//! The CANopen electronic data sheet (CiA 306 v1.3) in the flavour that every known reader takes.
+//!
+//! What that flavour is: ASCII, CR/LF, every key of `FileInfo` and `DeviceInfo`, the access words `ro rw wo const`,
+//! signed numbers in decimal, and no default where readers disagree about its form. [`lower`] decides what the sheet
+//! says, [`write`] prints it, [`comments`] tells the reader what is assumed or lost. What the format cannot hold is a
+//! [`loss`]: a warning and a comment in the file.
+//!
+//! It writes no DCF: a configuration is a choice of the user, not a fact about the drive.
+
+mod comments;
+mod loss;
+mod lower;
+mod names;
+mod value;
+mod write;
+
+pub use loss::{LIMITS, PLACE, SHAPE, TEXT, VALUE};
 
 use super::Backend;
-use crate::diag::Sink;
+use crate::diag::{Diagnostic, Sink};
 use crate::emit::FileSet;
 use crate::model::Model;
+use crate::source::Span;
 
 /// The CANopen electronic data sheet (CiA 306).
 pub struct Eds;
@@ -13,5 +30,20 @@ impl Backend for Eds {
         "eds"
     }
 
-    fn emit(&self, _model: &Model, _out: &mut FileSet, _sink: &mut Sink) {}
+    fn emit(&self, model: &Model, out: &mut FileSet, sink: &mut Sink) {
+        let sheet = lower::lower(model);
+        let comments = comments::lines(model, &sheet);
+        sheet.losses.report(sink);
+        if let Err(error) = out.add(path(model), write::sheet(model, &sheet, &comments)) {
+            sink.push(
+                Diagnostic::new(PLACE, Span::nowhere(), error.to_string())
+                    .why("the file is named after the package")
+                    .help("correct `id` and `vendor_id` of the drive"),
+            );
+        }
+    }
+}
+
+fn path(model: &Model) -> String {
+    format!("eds/{}.eds", model.drive.package)
 }
