@@ -1,1 +1,403 @@
 //! The list of facts of a model: what `map.txt` prints and what the audit counts.
+//!
+//! Each value that the model holds is one line. Lines come table by table, in each by key (numbers as numbers), and in
+//! each row by a fixed order of fields. Nothing here escapes or aligns: that is the work of who prints a line.
+
+use std::borrow::Cow;
+
+use crate::model::{
+    Alarm, BitField, BitsDef, Cite, Class, Drive, Entry, EnumDef, Erratum, Fact, Manual, Model, Object,
+    Origin, Pdo, Value,
+};
+use crate::name::Name;
+
+/// A table of the model.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Table {
+    /// The drive.
+    Drive,
+    /// Documents.
+    Manuals,
+    /// Objects and their entries.
+    Objects,
+    /// Named values.
+    Enums,
+    /// Named bits.
+    Bits,
+    /// Faults and warnings.
+    Alarms,
+    /// Default process data.
+    Pdos,
+    /// Where the manual is wrong.
+    Errata,
+}
+
+/// One value of the model.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct FactLine<'m> {
+    /// Table of the row.
+    pub table: Table,
+    /// The row: `object 607D:01`, `enum mode of operation 1`, `alarm OF 0x25`. With `field` it is unique.
+    pub key: String,
+    /// Which value of the row: `min`, `cause 2`.
+    pub field: Cow<'static, str>,
+    /// The value as a profile writes it; raw text, not escaped.
+    pub value: String,
+    /// How it is known; `None` for what is no fact of a manual but the profile's own: ids, versions, wording, judgement.
+    pub class: Option<&'m Class>,
+    /// Where a manual says it.
+    pub cite: Option<&'m Cite>,
+    /// Id of the erratum that set it or that explains it.
+    pub erratum: Option<&'m str>,
+}
+
+/// How many lines there are of each class.
+#[derive(Clone, Copy, Default, PartialEq, Eq, Debug)]
+pub struct Totals {
+    /// A manual says it.
+    pub stated: usize,
+    /// It follows by a rule.
+    pub inferred: usize,
+    /// A base says it.
+    pub standard: usize,
+    /// A format demands it and nobody says it.
+    pub assumed: usize,
+    /// The profile's own.
+    pub own: usize,
+}
+
+impl Totals {
+    /// Counts `lines`.
+    pub fn of(lines: &[FactLine<'_>]) -> Self {
+        let mut totals = Self::default();
+        for line in lines {
+            *totals.place(line.class) += 1;
+        }
+        totals
+    }
+
+    fn place(&mut self, class: Option<&Class>) -> &mut usize {
+        match class {
+            Some(Class::Stated) => &mut self.stated,
+            Some(Class::Inferred(_)) => &mut self.inferred,
+            Some(Class::Standard(_)) => &mut self.standard,
+            Some(Class::Assumed(_)) => &mut self.assumed,
+            None => &mut self.own,
+        }
+    }
+
+    /// All but the profile's own.
+    pub fn facts(&self) -> usize {
+        self.stated + self.inferred + self.standard + self.assumed
+    }
+}
+
+/// Every fact of `model`.
+pub fn facts(model: &Model) -> Vec<FactLine<'_>> {
+    let mut lines = Lines { model, table: Table::Drive, key: String::new(), out: Vec::new() };
+    drive(&model.drive, &mut lines);
+    model.manuals.iter().for_each(|m| manual(m, &mut lines));
+    model.objects.as_slice().iter().for_each(|o| object(o, &mut lines));
+    by_name(model.enums.as_slice(), |e| &e.name).for_each(|e| enumeration(e, &mut lines));
+    by_name(model.bits.as_slice(), |b| &b.name).for_each(|b| bits(b, &mut lines));
+    model.alarms.iter().for_each(|a| alarm(a, &mut lines));
+    model.pdos.iter().for_each(|p| pdo(p, &mut lines));
+    model.errata.as_slice().iter().for_each(|e| erratum(e, &mut lines));
+    lines.out
+}
+
+/// Tables in the order of their names: those of bases come into the model in the order of use.
+fn by_name<T>(tables: &[T], name: impl Fn(&T) -> &Name) -> impl Iterator<Item = &T> {
+    let mut sorted: Vec<&T> = tables.iter().collect();
+    sorted.sort_by(|a, b| name(a).words().cmp(name(b).words()));
+    sorted.into_iter()
+}
+
+struct Lines<'m> {
+    model: &'m Model,
+    table: Table,
+    key: String,
+    out: Vec<FactLine<'m>>,
+}
+
+impl<'m> Lines<'m> {
+    /// Starts a row.
+    fn row(&mut self, table: Table, key: String) {
+        (self.table, self.key) = (table, key);
+    }
+
+    /// A value of the row, and who says it.
+    fn said(
+        &mut self,
+        field: impl Into<Cow<'static, str>>,
+        value: &(impl ToString + ?Sized),
+        origin: &'m Origin,
+    ) {
+        let erratum = origin.erratum.map(|id| self.model.errata[id].id.as_str());
+        self.line(field.into(), value.to_string(), (Some(&origin.class), origin.cite.as_ref(), erratum));
+    }
+
+    fn fact<T>(&mut self, field: &'static str, fact: Option<&'m Fact<T>>, value: impl Fn(&T) -> String) {
+        if let Some(fact) = fact {
+            self.said(field, &value(&fact.value), &fact.origin);
+        }
+    }
+
+    /// A value of the row that is the profile's own.
+    fn own(&mut self, field: &'static str, value: &(impl ToString + ?Sized)) {
+        self.line(field.into(), value.to_string(), (None, None, None));
+    }
+
+    fn own_text(&mut self, field: &'static str, text: Option<&String>) {
+        if let Some(text) = text {
+            self.own(field, text);
+        }
+    }
+
+    /// The name of code, where it is not the printed one.
+    fn rename(&mut self, printed: &str, name: &Name) {
+        if Name::new(printed).is_none_or(|p| p.words() != name.words()) {
+            self.own("rename", name);
+        }
+    }
+
+    fn line(
+        &mut self,
+        field: Cow<'static, str>,
+        value: String,
+        (class, cite, erratum): (Option<&'m Class>, Option<&'m Cite>, Option<&'m str>),
+    ) {
+        self.out.push(FactLine {
+            table: self.table,
+            key: self.key.clone(),
+            field,
+            value,
+            class,
+            cite,
+            erratum,
+        });
+    }
+}
+
+fn drive<'m>(drive: &'m Drive, lines: &mut Lines<'m>) {
+    lines.row(Table::Drive, "drive".to_owned());
+    lines.own("id", &drive.id);
+    lines.own("package", &drive.package);
+    lines.own("vendor", &drive.vendor);
+    lines.own("name", &drive.name);
+    let bases = drive.bases.join(" ");
+    lines.own_text("bases", Some(&bases).filter(|b| !b.is_empty()));
+    lines.own("crate_version", &drive.crate_version);
+    lines.own("eds_version", &drive.eds_version);
+    lines.own("eds_revision", &drive.eds_revision);
+    lines.own("date", &drive.date);
+    lines.fact("pdo_entries", drive.limits.pdo_entries.as_ref(), u8::to_string);
+    lines.fact("pdo_bytes", drive.limits.pdo_bytes.as_ref(), u16::to_string);
+    lines.fact("pdos_per_direction", drive.limits.pdos_per_direction.as_ref(), u8::to_string);
+}
+
+fn manual<'m>(manual: &'m Manual, lines: &mut Lines<'m>) {
+    lines.row(Table::Manuals, format!("manual {}", manual.id));
+    lines.own("title", &manual.title);
+    lines.own("version", &manual.version);
+    lines.own_text("date", manual.date.as_ref());
+    lines.own("sha256", &manual.sha256);
+    lines.own("lines", &manual.lines);
+}
+
+fn object<'m>(object: &'m Object, lines: &mut Lines<'m>) {
+    let entries = object.entries.iter().map(|id| &lines.model.entries[*id]).collect::<Vec<_>>();
+    lines.row(Table::Objects, format!("object {:04X}", object.index));
+    // The name of a variable is that of its entry.
+    if !matches!(entries.as_slice(), [only] if only.address.sub == 0) {
+        lines.said("name", &object.name.value, &object.name.origin);
+    }
+    lines.said("kind", object.kind.value.word(), &object.kind.origin);
+    for each in entries {
+        entry(each, lines);
+    }
+}
+
+fn entry<'m>(entry: &'m Entry, lines: &mut Lines<'m>) {
+    lines.row(Table::Objects, format!("object {}", entry.address));
+    lines.said("name", &entry.name.value, &entry.name.origin);
+    lines.rename(&entry.name.value, &entry.handle);
+    lines.said("type", &entry.ty.value, &entry.ty.origin);
+    lines.said("access", entry.access.value.word(), &entry.access.origin);
+    lines.fact("pdo", entry.mapping.as_ref(), |m| m.word().to_owned());
+    lines.fact("unit", entry.unit.as_ref(), ToString::to_string);
+    lines.fact("min", entry.min.as_ref(), i128::to_string);
+    lines.fact("max", entry.max.as_ref(), i128::to_string);
+    lines.fact("allow", entry.allow.as_ref(), |list| numbers(list));
+    lines.fact("default", entry.default.as_ref(), value);
+    let model = lines.model;
+    lines.fact("values", entry.values.as_ref(), |id| model.enums[*id].name.to_string());
+    lines.fact("bits", entry.bits.as_ref(), |id| model.bits[*id].name.to_string());
+    lines.own_text("text", entry.text.as_ref());
+    lines.own_text("deviation", entry.deviation.as_ref());
+}
+
+fn numbers(list: &[i128]) -> String {
+    format!("[{}]", list.iter().map(i128::to_string).collect::<Vec<_>>().join(", "))
+}
+
+fn value(value: &Value) -> String {
+    match value {
+        Value::Int(n) => n.to_string(),
+        Value::Text(text) => format!("\"{text}\""),
+    }
+}
+
+fn enumeration<'m>(table: &'m EnumDef, lines: &mut Lines<'m>) {
+    for value in &table.values {
+        lines.row(Table::Enums, format!("enum {} {}", table.name, value.value));
+        lines.said("label", &value.printed, &value.name.origin);
+        lines.rename(&value.printed, &value.name.value);
+        lines.own_text("text", value.text.as_ref());
+    }
+}
+
+fn bits<'m>(table: &'m BitsDef, lines: &mut Lines<'m>) {
+    for field in &table.fields {
+        lines.row(Table::Bits, format!("bits {} {}{}", table.name, field.bit, mode(field)));
+        if field.width != 1 {
+            lines.said("width", &field.width, &field.name.origin);
+        }
+        lines.said("label", &field.printed, &field.name.origin);
+        lines.rename(&field.printed, &field.name.value);
+        lines.own_text("text", field.text.as_ref());
+        lines.own_text("deviation", field.deviation.as_ref());
+    }
+}
+
+fn mode(field: &BitField) -> String {
+    field.mode.map_or_else(String::new, |mode| format!(" mode {mode}"))
+}
+
+fn alarm<'m>(alarm: &'m Alarm, lines: &mut Lines<'m>) {
+    lines.row(Table::Alarms, format!("alarm {} 0x{:02X}", alarm.display, alarm.number.value));
+    lines.said("name", &alarm.printed, &alarm.name.origin);
+    lines.rename(&alarm.printed, &alarm.name.value);
+    lines.fact("number", Some(&alarm.number), |n| format!("0x{n:02X}"));
+    lines.fact("code", Some(&alarm.code), |n| format!("0x{n:04X}"));
+    lines.fact("aux", alarm.aux.as_ref(), |n| format!("0x{n:04X}"));
+    lines.fact("reset", alarm.reset.as_ref(), |r| r.word().to_owned());
+    for (word, list) in [("cause", &alarm.causes), ("remedy", &alarm.remedies)] {
+        for (n, text) in (1..).zip(list) {
+            lines.said(format!("{word} {n}"), &text.value, &text.origin);
+        }
+    }
+}
+
+fn pdo<'m>(pdo: &'m Pdo, lines: &mut Lines<'m>) {
+    lines.row(Table::Pdos, format!("pdo {:04X}", pdo.index));
+    lines.said("dir", pdo.direction.word(), &pdo.origin);
+    for mapped in &pdo.entries {
+        lines.row(Table::Pdos, format!("pdo {:04X} {}", pdo.index, mapped.position));
+        lines.said("entry", &lines.model.entries[mapped.entry].address, &mapped.origin);
+        lines.fact("bits", Some(&mapped.bits), u8::to_string);
+    }
+}
+
+/// The values of an erratum carry the places where they are printed, and are no facts of their own.
+fn erratum<'m>(erratum: &'m Erratum, lines: &mut Lines<'m>) {
+    lines.row(Table::Errata, format!("erratum {}", erratum.id));
+    lines.own("at", &erratum.at);
+    lines.own("field", &erratum.field);
+    lines.line("was".into(), erratum.was.clone(), (None, Some(&erratum.seen), None));
+    let set = erratum.set.clone().unwrap_or_else(|| "the printed value is kept".to_owned());
+    lines.line("set".into(), set, (None, erratum.by.as_ref(), None));
+    lines.own("why", &erratum.why);
+    lines.own("sure", erratum.sure.word());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::source::Source;
+
+    const PROFILE: &str = r#"
+manuals = [ { id = "m1", title = "T", version = "1", sha256 = "0000000000000000000000000000000000000000000000000000000000000000", lines = 99 } ]
+objects = [
+  { at = "2000:00", name = "Speed", type = "u16", access = "rw", pdo = "rx", min = 0, default = 5, src = "1 L2" },
+  { at = "2010", name = "Gains", src = "1 L3" },
+  { at = "2010:00", name = "Count", type = "u8", access = "ro", default = 2, inferred = ["default: highest sub-index"], src = "1 L3" },
+  { at = "2010:01..02", name = "Gain", type = "u8", access = "ro", assumed = ["access: never said"], src = "1 L3" },
+]
+enums = [ { name = "z", value = -1, label = "3 phase", rename = "Three phase", src = "L4" }, { name = "a", value = 10, label = "b", src = "L4" }, { name = "a", value = 9, label = "c", src = "L4" } ]
+bits = [ { name = "ctl", bit = 1, width = 2, label = "run", src = "L4" } ]
+alarms = [ { display = "OF", number = 0x25, code = 0x8611, name = "Following", causes = ["a", "b"], src = "L8" } ]
+pdo = [ { map = 0x1600, dir = "rx", pos = 1, entry = "2000:00", bits = 16, src = "L10" } ]
+errata = [ { id = "E1", at = "2000:00", field = "min", was = 0, seen = "4.2 L42", set = 1, by = "6.2 L12", why = "w", sure = "high" } ]
+[drive]
+format = 1
+id = "x1"
+vendor = "Acme"
+vendor_id = "acme"
+name = "X1"
+crate_version = "0.1.0"
+eds_version = 1
+eds_revision = 0
+date = "2026-01-01"
+pdo_bytes = 8
+pdo_src = "L11"
+"#;
+
+    fn model() -> Model {
+        let compiled = crate::compile(vec![Source { path: "a.toml".into(), text: PROFILE.into() }]);
+        assert!(compiled.sound().is_some(), "{:#?}", compiled.diagnostics);
+        compiled.model.unwrap()
+    }
+
+    fn line<'m>(lines: &'m [FactLine<'m>], key: &str, field: &str) -> &'m FactLine<'m> {
+        lines.iter().find(|l| l.key == key && l.field == field).unwrap_or_else(|| panic!("{key} {field}"))
+    }
+
+    #[test]
+    fn lines_say_value_class_citation_and_erratum() {
+        let model = model();
+        let lines = facts(&model);
+        let min = line(&lines, "object 2000:00", "min");
+        assert_eq!((min.value.as_str(), min.erratum), ("1", Some("E1")));
+        assert_eq!(min.cite.map(ToString::to_string).as_deref(), Some("6.2 L12"));
+        let class = |key, field| line(&lines, key, field).class.map(ToString::to_string);
+        assert_eq!(class("object 2010:00", "default").as_deref(), Some("inferred (highest sub-index)"));
+        assert_eq!(class("object 2010:02", "access").as_deref(), Some("assumed (never said)"));
+        assert_eq!(class("drive", "pdo_bytes").as_deref(), Some("stated"));
+        assert_eq!(class("enum z -1", "rename"), None);
+        assert_eq!(line(&lines, "enum z -1", "label").value, "3 phase");
+        assert_eq!(line(&lines, "alarm OF 0x25", "cause 2").value, "b");
+    }
+
+    #[test]
+    fn keys_stand_in_order_and_once() {
+        let model = model();
+        let lines = facts(&model);
+        assert!(lines.is_sorted_by_key(|l| l.table));
+        let enums: Vec<&str> = lines
+            .iter()
+            .filter(|l| l.table == Table::Enums && l.field == "label")
+            .map(|l| l.key.as_str())
+            .collect();
+        assert_eq!(enums, ["enum a 9", "enum a 10", "enum z -1"]);
+        let keys: std::collections::BTreeSet<_> = lines.iter().map(|l| (&l.key, &l.field)).collect();
+        assert_eq!(keys.len(), lines.len());
+    }
+
+    /// The visitor of the lints walks the model by another way: what it does not visit is counted here by hand.
+    #[test]
+    fn every_origin_of_the_model_is_a_line() {
+        let model = model();
+        let visited: usize = model.row_origins().iter().map(|r| r.origins.len()).sum();
+        let kinds_and_name = 2 + 1;
+        let width_and_direction = 1 + 1;
+        assert_eq!(Totals::of(&facts(&model)).facts(), visited + kinds_and_name + width_and_direction);
+    }
+
+    #[test]
+    fn totals_by_class() {
+        let model = model();
+        let totals = Totals::of(&facts(&model));
+        assert_eq!((totals.inferred, totals.standard, totals.assumed), (2 + 1, 0, 2));
+    }
+}

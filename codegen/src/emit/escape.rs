@@ -11,6 +11,19 @@ pub fn one_line(text: &str) -> String {
     text.split(is_hidden).filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ")
 }
 
+/// Text inside one line of plain text, from which the text can be read back: hidden characters as `\u{202e}`.
+pub fn plain_line(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '\\' => out.push_str("\\\\"),
+            c if is_hidden(c) => out.extend(c.escape_unicode()),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
 /// Text inside a Rust string literal, without the quotes.
 pub fn rust_str(text: &str) -> String {
     let mut out = String::with_capacity(text.len());

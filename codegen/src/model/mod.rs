@@ -57,6 +57,17 @@ pub enum ObjectKind {
     Record,
 }
 
+impl ObjectKind {
+    /// The word of profiles.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Var => "var",
+            Self::Array => "array",
+            Self::Record => "record",
+        }
+    }
+}
+
 /// An index of the dictionary.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Object {
@@ -127,6 +138,16 @@ pub enum Direction {
     Tx,
 }
 
+impl Direction {
+    /// The word of profiles.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Rx => "rx",
+            Self::Tx => "tx",
+        }
+    }
+}
+
 /// A process data object with its default mapping.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Pdo {
@@ -134,6 +155,8 @@ pub struct Pdo {
     pub index: u16,
     /// Direction.
     pub direction: Direction,
+    /// Who says the direction.
+    pub origin: Origin,
     /// What it carries, in order.
     pub entries: Vec<PdoEntry>,
 }

@@ -6,7 +6,7 @@ use super::origin::Says;
 use crate::diag::{Diagnostic, Sink, code};
 use crate::limits;
 use crate::merge::Profile;
-use crate::model::{Direction, Model, Pdo, PdoEntry};
+use crate::model::{Direction, Fact, Model, Pdo, PdoEntry};
 use crate::rows::tables::PdoRow;
 
 pub(super) fn pdos(profile: &Profile, model: &Model, sink: &mut Sink) -> Vec<Pdo> {
@@ -30,12 +30,12 @@ fn pdo(index: u16, mut rows: Vec<&PdoRow>, profile: &Profile, model: &Model, sin
     for pair in rows.windows(2).filter(|p| p[0].pos.value == p[1].pos.value) {
         crate::merge::duplicate(pair[1], pair[0], sink);
     }
-    let direction = direction(index, &rows, sink);
+    let direction = direction(index, &rows, profile, sink);
     let entries = rows.iter().filter_map(|row| mapped(row, profile, model, sink)).collect();
-    Pdo { index, direction, entries }
+    Pdo { index, direction: direction.value, origin: direction.origin, entries }
 }
 
-fn direction(index: u16, rows: &[&PdoRow], sink: &mut Sink) -> Direction {
+fn direction(index: u16, rows: &[&PdoRow], profile: &Profile, sink: &mut Sink) -> Fact<Direction> {
     let first = rows[0];
     for row in rows.iter().filter(|r| r.dir != first.dir) {
         sink.push(
@@ -45,7 +45,7 @@ fn direction(index: u16, rows: &[&PdoRow], sink: &mut Sink) -> Direction {
                 .help("correct `dir` or `map`"),
         );
     }
-    first.dir.value
+    Says::plain(&first.meta, first.src.as_ref(), &profile.rows.errata).fact("dir", first.dir)
 }
 
 fn mapped(row: &PdoRow, profile: &Profile, model: &Model, sink: &mut Sink) -> Option<PdoEntry> {
