@@ -131,6 +131,21 @@ impl SourceMap {
         LineColumn { line, column: before.chars().count() + 1 }
     }
 
+    /// The whole lines that a span touches, without the last line feed, and the byte at which they start.
+    pub fn lines_of(&self, span: Span) -> (usize, &str) {
+        let text = self.text(span.file);
+        let start = (span.start as usize).min(text.len());
+        let end = (span.end as usize).clamp(start, text.len());
+        let from = text
+            .as_bytes()
+            .get(..start)
+            .and_then(|t| t.iter().rposition(|b| *b == b'\n'))
+            .map_or(0, |at| at + 1);
+        let rest = text.as_bytes().get(end..).unwrap_or_default();
+        let to = rest.iter().position(|b| *b == b'\n').map_or(text.len(), |at| end + at);
+        (from, text.get(from..to).unwrap_or(""))
+    }
+
     /// `path:line:column` of a span's start.
     pub fn place(&self, span: Span) -> String {
         format!("{}:{}", self.path(span.file), self.line_column(span.file, span.start))

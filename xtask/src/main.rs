@@ -1,1 +1,107 @@
-fn main() {}
+//! The project's own commands: `cargo xtask regen`, `cargo xtask test`, `cargo xtask tidy`.
+//!
+//! Exit codes: 0 fine, 1 findings, 2 usage, 3 the disk refused.
+
+#![allow(clippy::disallowed_methods, reason = "a program, not a library: it reads, writes and measures time")]
+
+mod regen;
+mod test;
+mod tidy;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use lexopt::prelude::*;
+
+const HELP: &str = "\
+Usage: cargo xtask <COMMAND> [OPTIONS]
+
+Commands:
+  regen [DRIVE...]   compile every profile (or those named) to every output under generated/
+    --check          write nothing; name every missing, changed and orphaned file, and exit 1 if there is one
+    --diff           write nothing; show what would change
+  test               run everything and say what was skipped, and why
+    --full           add the slow parts
+  tidy               check what no other tool knows
+
+Options:
+  -q, --quiet        say only what is wrong
+  -h, --help         show this
+
+Exit codes: 0 fine, 1 findings, 2 usage, 3 the disk refused.
+
+Examples:
+  cargo xtask regen
+  cargo xtask regen --check sdv3-e
+  cargo xtask test --full
+";
+
+/// What the command line asks for.
+#[derive(Default)]
+pub struct Options {
+    check: bool,
+    diff: bool,
+    full: bool,
+    quiet: bool,
+    drives: Vec<String>,
+}
+
+/// How a command ends.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum End {
+    Fine = 0,
+    Findings = 1,
+    Usage = 2,
+    Disk = 3,
+}
+
+fn main() -> ExitCode {
+    let end = match parse() {
+        Ok(None) => {
+            print!("{HELP}");
+            End::Fine
+        }
+        Ok(Some((command, options))) => run(&command, &options),
+        Err(error) => {
+            eprintln!("error: {error}\n\n{HELP}");
+            End::Usage
+        }
+    };
+    ExitCode::from(end as u8)
+}
+
+fn run(command: &str, options: &Options) -> End {
+    let root = root();
+    match command {
+        "regen" => regen::run(&root, options),
+        "test" => test::run(&root, options),
+        "tidy" => tidy::run(&root, options),
+        other => {
+            eprintln!("error: there is no command `{other}`\n\n{HELP}");
+            End::Usage
+        }
+    }
+}
+
+/// The repository's root, wherever the command is called from.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new(".")).to_owned()
+}
+
+fn parse() -> Result<Option<(String, Options)>, lexopt::Error> {
+    let (mut command, mut options) = (None, Options::default());
+    let mut args = lexopt::Parser::from_env();
+    while let Some(arg) = args.next()? {
+        match arg {
+            Short('h') | Long("help") => return Ok(None),
+            Short('q') | Long("quiet") => options.quiet = true,
+            Long("check") => options.check = true,
+            Long("diff") => options.diff = true,
+            Long("full") => options.full = true,
+            Value(value) if command.is_none() => command = Some(value.string()?),
+            Value(value) => options.drives.push(value.string()?),
+            other => return Err(other.unexpected()),
+        }
+    }
+    Ok(command.map(|command| (command, options)))
+}

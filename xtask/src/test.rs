@@ -1,0 +1,99 @@
+//! Runs everything, step by step, with the time of each, and says what was skipped and why.
+
+use std::path::Path;
+use std::process::Command;
+use std::time::{Duration, Instant};
+
+use crate::{End, Options};
+
+/// What became of a step.
+pub enum Outcome {
+    Passed,
+    Failed(String),
+    #[allow(dead_code, reason = "steps that need foreign programs are skipped without them")]
+    Skipped(String),
+}
+
+/// A step that ran.
+pub struct Step {
+    pub name: String,
+    pub outcome: Outcome,
+    pub time: Duration,
+}
+
+/// Runs every step.
+pub fn run(root: &Path, options: &Options) -> End {
+    let mut steps = Vec::new();
+    for (name, program, args, folder) in COMMANDS {
+        let folder = root.join(folder);
+        step(&mut steps, name, options, || command(program, args, &folder, options));
+    }
+    summary(&steps)
+}
+
+/// Name, program, arguments, folder.
+type Run = (&'static str, &'static str, &'static [&'static str], &'static str);
+
+#[rustfmt::skip]
+const COMMANDS: &[Run] = &[
+    ("format", "cargo", &["fmt", "--all", "--check"], "."),
+    ("format of xtask", "cargo", &["fmt", "--check"], "xtask"),
+    ("clippy", "cargo", &["clippy", "--workspace", "--all-targets", "--quiet", "--", "-D", "warnings"], "."),
+    ("clippy of xtask", "cargo", &["clippy", "--all-targets", "--quiet", "--", "-D", "warnings"], "xtask"),
+    ("generated files are fresh", "cargo", &["xtask", "regen", "--check"], "."),
+    ("tests", "cargo", &["test", "--workspace", "--quiet"], "."),
+    ("documentation", "cargo", &["doc", "--workspace", "--no-deps", "--quiet"], "."),
+    ("tidy", "cargo", &["xtask", "tidy"], "."),
+];
+
+fn step(steps: &mut Vec<Step>, name: &str, options: &Options, run: impl FnOnce() -> Outcome) {
+    if !options.quiet {
+        println!("== {name}");
+    }
+    let start = Instant::now();
+    let outcome = run();
+    let time = start.elapsed();
+    if !options.quiet {
+        println!("== {name}: {} in {:.1} s", word(&outcome), time.as_secs_f64());
+    }
+    steps.push(Step { name: name.to_owned(), outcome, time });
+}
+
+fn command(program: &str, args: &[&str], folder: &Path, options: &Options) -> Outcome {
+    let mut command = Command::new(program);
+    command.args(args).current_dir(folder).env("INSTA_UPDATE", "no").env("RUSTDOCFLAGS", "-D warnings");
+    if options.quiet {
+        command.stdout(std::process::Stdio::null());
+    }
+    match command.status() {
+        Ok(status) if status.success() => Outcome::Passed,
+        Ok(status) => Outcome::Failed(format!("`{program} {}` ended with {status}", args.join(" "))),
+        Err(error) => Outcome::Failed(format!("`{program}` cannot be started: {error}")),
+    }
+}
+
+fn word(outcome: &Outcome) -> &'static str {
+    match outcome {
+        Outcome::Passed => "passed",
+        Outcome::Failed(_) => "FAILED",
+        Outcome::Skipped(_) => "skipped",
+    }
+}
+
+fn summary(steps: &[Step]) -> End {
+    println!("\n{:<40} {:>8}  result", "step", "seconds");
+    for step in steps {
+        println!("{:<40} {:>8.1}  {}", step.name, step.time.as_secs_f64(), word(&step.outcome));
+    }
+    for step in steps {
+        match &step.outcome {
+            Outcome::Passed => {}
+            Outcome::Failed(why) => println!("failed: {}: {why}", step.name),
+            Outcome::Skipped(why) => println!("skipped: {}: {why}", step.name),
+        }
+    }
+    let count = |of: &str| steps.iter().filter(|s| word(&s.outcome) == of).count();
+    let failed = count("FAILED");
+    println!("{} passed, {failed} failed, {} skipped", count("passed"), count("skipped"));
+    if failed == 0 { End::Fine } else { End::Findings }
+}
