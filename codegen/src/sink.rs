@@ -100,11 +100,14 @@ pub fn check(files: &FileSet, folder: &Path) -> Result<Vec<Difference>, SinkErro
 /// Makes `folder` hold exactly `files`; returns what differed. Files that are already right are not touched.
 pub fn write(files: &FileSet, folder: &Path) -> Result<Vec<Difference>, SinkError> {
     let found = check(files, folder)?;
+    // Leftovers of an interrupted run go first: a new unfinished file may want the same name.
+    for orphan in found.iter().filter(|d| d.state == State::Orphaned) {
+        let place = folder.join(&orphan.path);
+        fs::remove_file(&place).map_err(failed("remove", &place))?;
+    }
     for difference in &found {
-        let place = folder.join(&difference.path);
-        match files.get(&difference.path) {
-            Some(bytes) => replace(&place, bytes)?,
-            None => fs::remove_file(&place).map_err(failed("remove", &place))?,
+        if let Some(bytes) = files.get(&difference.path) {
+            replace(&folder.join(&difference.path), bytes)?;
         }
     }
     remove_empty_folders(folder)?;
