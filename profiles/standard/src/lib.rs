@@ -1,15 +1,39 @@
-//! The standard bases.
+//! The standard bases of drivewright: objects, values and bits that CiA 301, CiA 402 and CoE fix for every drive.
+//!
+//! Data only: the texts are carried inside of the crate, so that a published compiler needs no files beside it.
+//! Types and widths come from the standards; limits, defaults and subsets belong to drives.
+
+#![no_std]
 
 /// A base profile.
 #[derive(Clone, Copy, Debug)]
 pub struct Base {
-    /// Its name.
+    /// The name by which a drive refers to it.
     pub name: &'static str,
-    /// Its files: path and text.
+    /// Its files: path, as findings print it, and text.
     pub files: &'static [(&'static str, &'static str)],
 }
 
+macro_rules! base {
+    ($name:literal: $($file:literal)+) => {
+        Base {
+            name: $name,
+            files: &[$((
+                concat!("standard/", $name, "/", $file),
+                include_str!(concat!("../", $name, "/", $file)),
+            )),+],
+        }
+    };
+}
+
 /// Every base.
+const BASES: &[Base] = &[
+    base!("cia301": "objects.toml" "enums.toml" "bits.toml"),
+    base!("cia402": "objects.toml" "enums.toml" "bits.toml"),
+    base!("coe": "objects.toml"),
+];
+
+/// Every base, in the order in which drives name them.
 pub fn bases() -> &'static [Base] {
-    &[]
+    BASES
 }
