@@ -276,9 +276,21 @@ macro_rules! bit_field {
             }
         }
 
+        // An item, not a block in a function: it is evaluated by `cargo check` too.
+        const _: () = assert!(
+            true $(&& $crate::bit_field::fits($name::$bit_name, <$repr>::BITS))*,
+            concat!("bit field `", stringify!($name), "` names a bit that its number does not have"),
+        );
+
         $crate::__serde!($name);
         $crate::__defmt!($name);
     };
+}
+
+/// Whether the bits are some of the lowest `bits`.
+#[doc(hidden)]
+pub const fn fits<W, const WIDTH: u8>(field: Bits<W, WIDTH>, bits: u32) -> bool {
+    WIDTH > 0 && field.shift as u32 + WIDTH as u32 <= bits
 }
 
 /// The bits of `word`, moved down to bit 0.

@@ -1,5 +1,8 @@
 //! Constants that a handle has checked before anything runs.
 
+use crate::access::Writable;
+use crate::object::{ConvertError, Is, Object};
+
 /// A constant raw value for a handle, checked against its limits when it is compiled, and shown by `cargo check`.
 ///
 /// The value is a raw number, or a physical value in `physical(...)`, which must be a whole number of counts. The type is
@@ -48,7 +51,7 @@ macro_rules! constant {
 #[macro_export]
 macro_rules! __constant_fits {
     ($name:ident: $ty:ty, $object:expr, $count:expr) => {
-        const _: () = $crate::constant::is_of::<$ty, _, _, _>(&$object);
+        const _: () = $crate::constant::is_of($crate::object::is::<$ty>(), $object);
         const _: () = assert!(
             $count == $name as i128 && $object.accepts($count),
             concat!("constant `", stringify!($name), "` is outside the range that the drive accepts"),
@@ -58,13 +61,13 @@ macro_rules! __constant_fits {
 
 /// Compiles only if the handle is for this type.
 #[doc(hidden)]
-pub const fn is_of<T, A: crate::access::Writable, M, Q>(object: &crate::Object<T, A, M, Q>) {
+pub const fn is_of<T, A: Writable, M, Q>(_: Is<T>, object: Object<T, A, M, Q>) {
     let _ = object;
 }
 
 /// The count, or 0 where there is none: the assertion beside it has the word.
 #[doc(hidden)]
-pub const fn count(result: Result<i128, crate::ConvertError>) -> i128 {
+pub const fn count(result: Result<i128, ConvertError>) -> i128 {
     match result {
         Ok(count) => count,
         Err(_) => 0,

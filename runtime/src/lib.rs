@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 #![no_std]
+#![forbid(unsafe_code)]
 
 #[cfg(test)]
 extern crate std;
@@ -13,6 +14,7 @@ pub mod data_type;
 pub mod mapping;
 pub mod model;
 pub mod object;
+#[doc(hidden)]
 pub mod optional;
 pub mod pdo;
 pub mod quantity;
@@ -47,8 +49,8 @@ pub mod prelude {
     pub use crate::data_type::DataType;
     pub use crate::mapping::{Direction, MapNotStated, Mapping, MapsRx, MapsTx, Rx, RxTx, Tx, Unmapped};
     pub use crate::model::{
-        AlarmDesc, AlarmText, Allowed, DriveModel, Identity, ObjectDesc, PdoDesc, Remap, Reset, TextDefault,
-        UnitDesc,
+        AlarmDesc, AlarmText, Allowed, DefaultValue, DriveModel, Identity, Meaning, ModelError, ObjectDesc,
+        PdoDesc, Remap, Reset, TextDefault, UnitDesc,
     };
     pub use crate::object::{ConvertError, EncodeError, Object, RangeError};
     pub use crate::pdo::{LayoutMismatch, MapEntry, ProcessData};

@@ -2,7 +2,7 @@
 //!
 //! Directions are seen from the drive: `Rx` is what it receives, `Tx` is what it sends.
 
-use crate::object::Object;
+use crate::object::{Is, Object};
 use crate::pdo::MapEntry;
 use crate::wire::Wire;
 
@@ -115,13 +115,14 @@ pub trait MapsTx: MappingMarker {}
 impl MapsTx for Tx {}
 impl MapsTx for RxTx {}
 
-// `pdo_layout!` names the direction by its marker and calls these, so that the bound is the one that its user reads.
+// `pdo_layout!` names the direction by its marker and calls these, so that the bound is the one that its user reads. The
+// object comes by value and the type of the field as an argument: the compiler then points at the object in the layout.
 impl Rx {
     /// The direction as a value.
     pub const DIRECTION: Direction = Direction::Rx;
 
     /// The mapping entry of an object that the drive may receive.
-    pub const fn entry<T: Wire, A, M: MapsRx, Q>(object: &Object<T, A, M, Q>) -> MapEntry {
+    pub const fn entry<T: Wire, A, M: MapsRx, Q>(_: Is<T>, object: Object<T, A, M, Q>) -> MapEntry {
         MapEntry::of(object)
     }
 }
@@ -131,7 +132,7 @@ impl Tx {
     pub const DIRECTION: Direction = Direction::Tx;
 
     /// The mapping entry of an object that the drive may send.
-    pub const fn entry<T: Wire, A, M: MapsTx, Q>(object: &Object<T, A, M, Q>) -> MapEntry {
+    pub const fn entry<T: Wire, A, M: MapsTx, Q>(_: Is<T>, object: Object<T, A, M, Q>) -> MapEntry {
         MapEntry::of(object)
     }
 }

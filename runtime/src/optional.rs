@@ -55,3 +55,43 @@ macro_rules! __defmt {
 macro_rules! __defmt {
     ($name:ident) => {};
 }
+
+#[cfg(all(test, feature = "serde", feature = "defmt"))]
+mod tests {
+    use crate::prelude::*;
+
+    crate::wire_enum! {
+        /// One.
+        struct Mode(i8) = "mode" {
+            /// One.
+            ONE = 1 => "one",
+        }
+    }
+
+    crate::bit_field! {
+        /// One.
+        struct Word(u16) {
+            /// Lowest.
+            LOW: 0,
+        }
+    }
+
+    fn both<T: serde::Serialize + defmt::Format>() {}
+
+    #[test]
+    fn public_data_has_both() {
+        both::<Mode>();
+        both::<Word>();
+        both::<Address>();
+        both::<DataType>();
+        both::<Value<Velocity>>();
+        both::<MapEntry>();
+        both::<(RangeError, EncodeError)>();
+        both::<(ConvertError, WireError)>();
+        both::<(LayoutMismatch, ModelError)>();
+        both::<(Access, Mapping)>();
+        both::<(Direction, QuantityKind)>();
+        both::<(Reset, Remap)>();
+        both::<(I24, U56)>();
+    }
+}

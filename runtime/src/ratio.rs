@@ -26,7 +26,7 @@ impl Factor {
             return None;
         }
         let common = gcd(num, den);
-        Some(Self { num: num / common, den: den / common })
+        Some(Self { num: quotient(num, common), den: quotient(den, common) })
     }
 
     /// Above the line.
@@ -42,7 +42,9 @@ impl Factor {
     /// The product; `None` beyond 64 bits.
     pub(crate) const fn times(self, other: Self) -> Option<Self> {
         let (a, b) = (gcd(self.num, other.den), gcd(other.num, self.den));
-        match ((self.num / a).checked_mul(other.num / b), (self.den / b).checked_mul(other.den / a)) {
+        let num = quotient(self.num, a).checked_mul(quotient(other.num, b));
+        let den = quotient(self.den, b).checked_mul(quotient(other.den, a));
+        match (num, den) {
             (Some(num), Some(den)) => Some(Self { num, den }),
             _ => None,
         }
@@ -51,8 +53,8 @@ impl Factor {
     /// `num / den` divided by this factor, where `num / den` is reduced and `den` is not 0: a fraction, reduced.
     const fn divide(self, num: u64, den: u32) -> (u128, u128) {
         let (a, b) = (gcd(num, self.num), gcd(den as u64, self.den));
-        let above = (num / a) as u128 * (self.den / b) as u128;
-        let below = (self.num / a) as u128 * (den as u64 / b) as u128;
+        let above = quotient(num, a) as u128 * quotient(self.den, b) as u128;
+        let below = quotient(self.num, a) as u128 * quotient(den as u64, b) as u128;
         (above, below)
     }
 
@@ -69,9 +71,11 @@ impl Factor {
     /// The count nearest to the reduced value `num / den`; halves go away from zero.
     pub(crate) const fn nearest_count(self, num: i64, den: u32) -> Result<i128, Failure> {
         let (above, below) = self.divide(num.unsigned_abs(), den);
-        let (whole, rest) = (above / below, above % below);
-        // `rest >= below - rest` is `2 * rest >= below` without the overflow.
-        signed(num, whole + (rest >= below - rest) as u128)
+        match (above.checked_div(below), above.checked_rem(below)) {
+            // `rest >= below - rest` is `2 * rest >= below` without the overflow.
+            (Some(whole), Some(rest)) => signed(num, whole + (rest >= below - rest) as u128),
+            _ => Err(Failure::TooLarge),
+        }
     }
 
     /// `count` times this factor, reduced.
@@ -83,8 +87,8 @@ impl Factor {
             return Err(Failure::TooLarge);
         }
         let common = gcd(size as u64, self.den);
-        let num = (size as u64 / common) as u128 * self.num as u128;
-        let den = self.den / common;
+        let num = quotient(size as u64, common) as u128 * self.num as u128;
+        let den = quotient(self.den, common);
         let sign = if count < 0 { -1 } else { 1 };
         match signed(sign, num) {
             Ok(num) if num >= i64::MIN as i128 && num <= i64::MAX as i128 && den <= u32::MAX as u64 => {
@@ -105,6 +109,14 @@ const fn signed(sign: i64, size: u128) -> Result<i128, Failure> {
         Ok(-(size as i128))
     } else {
         Ok(size as i128)
+    }
+}
+
+/// `a / b`, and 0 where `b` is 0. No caller has that, and the compiler need not know it: nothing here can panic.
+pub(crate) const fn quotient(a: u64, b: u64) -> u64 {
+    match a.checked_div(b) {
+        Some(quotient) => quotient,
+        None => 0,
     }
 }
 

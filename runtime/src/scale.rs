@@ -27,9 +27,13 @@ pub struct Scale<Q, P> {
     units: PhantomData<fn() -> (Q, P)>,
 }
 
-impl<Q: UserUnit<P>, P: FixedUnit> Scale<Q, P> {
+impl<Q, P> Scale<Q, P> {
     /// The scale; `None` if one of the numbers is 0, as objects of an unset gear read.
-    pub const fn new(num: u32, den: u32) -> Option<Self> {
+    pub const fn new(num: u32, den: u32) -> Option<Self>
+    where
+        Q: UserUnit<P>,
+        P: FixedUnit,
+    {
         match Factor::new(num as u64, den as u64) {
             Some(factor) => Some(Self { factor, units: PhantomData }),
             None => None,
@@ -58,9 +62,7 @@ impl<Q: UserUnit<P>, P: FixedUnit> Scale<Q, P> {
     pub const fn den(&self) -> u64 {
         self.factor.den()
     }
-}
 
-impl<Q, P> Scale<Q, P> {
     pub(crate) const fn factor(&self) -> Factor {
         self.factor
     }

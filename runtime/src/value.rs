@@ -8,7 +8,7 @@ use crate::quantity::{
     Acceleration, Angle, Current, CurrentRatio, Frequency, Length, Power, Quantity, Ratio, Temperature, Time,
     Torque, TorqueRatio, Velocity, Voltage,
 };
-use crate::ratio::gcd;
+use crate::ratio::{gcd, quotient};
 
 /// A physical value, exact: a fraction of the base unit of `Q`, always reduced.
 ///
@@ -45,11 +45,14 @@ impl<Q> Value<Q> {
     }
 
     /// `num / den` where `den` is not 0.
-    // The divisor divides a `u32` that is not 0, so it is at most 2^32 - 1.
+    // What is cast has become smaller, or is a `u32` for a start.
     #[allow(clippy::cast_possible_wrap, clippy::cast_possible_truncation)]
     pub(crate) const fn reduced(num: i64, den: u32) -> Self {
         let common = gcd(num.unsigned_abs(), den as u64);
-        Self { num: num / common as i64, den: den / common as u32, quantity: PhantomData }
+        let size = quotient(num.unsigned_abs(), common) as i64;
+        // Only `i64::MIN` over an odd number stays 2^63: the cast has already made it negative.
+        let num = if num < 0 { size.wrapping_neg() } else { size };
+        Self { num, den: quotient(den as u64, common) as u32, quantity: PhantomData }
     }
 
     /// Above the line of the reduced fraction.

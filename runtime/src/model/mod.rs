@@ -6,6 +6,7 @@
 
 mod alarm;
 mod identity;
+mod integrity;
 mod object;
 mod pdo;
 
@@ -15,7 +16,8 @@ use crate::wire_enum::EnumDesc;
 
 pub use alarm::{alarms_by_code, AlarmDesc, AlarmText, Reset};
 pub use identity::Identity;
-pub use object::{find_object, Allowed, Default, Meaning, ObjectDesc, TextDefault, UnitDesc};
+pub use integrity::ModelError;
+pub use object::{find_object, Allowed, DefaultValue, Meaning, ObjectDesc, TextDefault, UnitDesc};
 pub use pdo::{PdoDesc, Remap};
 
 /// A drive as data.
@@ -159,13 +161,13 @@ impl<'m> DriveModel<'m> {
     }
 
     /// The value of an entry as the drive ships.
-    pub fn default_of(&self, object: &ObjectDesc<'m>) -> Default<'m> {
+    pub fn default_of(&self, object: &ObjectDesc<'m>) -> DefaultValue<'m> {
         if let Some(value) = object.default_value() {
-            return Default::Int(value);
+            return DefaultValue::Int(value);
         }
         match self.texts.binary_search_by_key(&object.address(), TextDefault::address) {
-            Ok(at) => self.texts.get(at).map_or(Default::NotStated, |t| Default::Text(t.text())),
-            Err(_) => Default::NotStated,
+            Ok(at) => self.texts.get(at).map_or(DefaultValue::NotStated, |t| DefaultValue::Text(t.text())),
+            Err(_) => DefaultValue::NotStated,
         }
     }
 

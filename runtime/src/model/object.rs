@@ -26,7 +26,7 @@ pub struct ObjectDesc<'m> {
 }
 
 #[cfg(target_pointer_width = "32")]
-const _: () = assert!(core::mem::size_of::<ObjectDesc<'static>>() == 40);
+const _: () = assert!(size_of::<ObjectDesc<'static>>() == 40);
 
 const ACCESS: u8 = 0b11;
 const MAPPING_SHIFT: u8 = 2;
@@ -52,7 +52,7 @@ pub enum Meaning {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
-pub enum Default<'m> {
+pub enum DefaultValue<'m> {
     /// The manual does not say.
     NotStated,
     /// A raw number.

@@ -73,6 +73,14 @@ fn entries_are_found_by_address() {
 }
 
 #[test]
+fn the_tables_fit_together() {
+    let without_pdos = MODEL.with_pdos(&[]);
+    assert_eq!(without_pdos.check(), Ok(()));
+    let (pdo, entry) = (at(0x1600, 0), at(0x607A, 0));
+    assert_eq!(MODEL.check(), Err(ModelError::NotInDictionary { pdo, entry }));
+}
+
+#[test]
 fn rows_keep_what_they_were_given() {
     let limit = object(0x607D, 1);
     assert_eq!((limit.min(), limit.max()), (Some(-2_000_000_000), Some(2_000_000_000)));
@@ -127,9 +135,9 @@ fn a_number_beyond_the_tables_is_no_panic() {
 
 #[test]
 fn defaults_are_numbers_texts_or_silence() {
-    assert_eq!(MODEL.default_of(object(0x6060, 0)), Default::Int(-1));
-    assert_eq!(MODEL.default_of(object(0x1008, 0)), Default::Text("ELD2"));
-    assert_eq!(MODEL.default_of(object(0x6040, 0)), Default::NotStated);
+    assert_eq!(MODEL.default_of(object(0x6060, 0)), DefaultValue::Int(-1));
+    assert_eq!(MODEL.default_of(object(0x1008, 0)), DefaultValue::Text("ELD2"));
+    assert_eq!(MODEL.default_of(object(0x6040, 0)), DefaultValue::NotStated);
 }
 
 #[test]

@@ -52,22 +52,31 @@ impl<T, A, M, Q> Object<T, A, M, Q> {
     }
 }
 
-impl<T: Count, A, M, Q> Object<T, A, M, Q> {
+impl<T, A, M, Q> Object<T, A, M, Q> {
     /// The count as a value of the type, if limits and type allow it.
-    fn accepted(self, count: Result<i128, Failure>) -> Result<T, ConvertError> {
+    fn accepted(self, count: Result<i128, Failure>) -> Result<T, ConvertError>
+    where
+        T: Count,
+    {
         let count = count.map_err(|f| self.failure(f))?;
         self.check_count(count)?;
         T::from_count(count).ok_or_else(|| self.beyond_type(count).into())
     }
 
     #[cold]
-    fn beyond_type(self, count: i128) -> RangeError {
+    fn beyond_type(self, count: i128) -> RangeError
+    where
+        T: Count,
+    {
         let (min, max) = T::DATA_TYPE.range().unwrap_or((0, 0));
         let near = |n: i128| i64::try_from(n).unwrap_or(if n < 0 { i64::MIN } else { i64::MAX });
         RangeError::new(self.address, count, self.min.max(near(min)), self.max.min(near(max)))
     }
 
-    fn value<P>(self, factor: Factor, raw: T) -> Result<Value<P>, ConvertError> {
+    fn value<P>(self, factor: Factor, raw: T) -> Result<Value<P>, ConvertError>
+    where
+        T: Count,
+    {
         match factor.value_of(raw.to_count()) {
             Ok((num, den)) => Ok(Value::reduced(num, den)),
             Err(failure) => Err(self.failure(failure)),
@@ -80,6 +89,7 @@ impl<T: Count, A, M, Q> Object<T, A, M, Q> {
     /// [`ConvertError::NotExact`] between two counts, [`ConvertError::OutOfRange`] outside the limits or the type.
     pub fn raw_from(self, value: Value<Q>) -> Result<T, ConvertError>
     where
+        T: Count,
         Q: FixedUnit,
     {
         self.accepted(self.own_factor()?.exact_count(value.num(), value.den()))
@@ -91,6 +101,7 @@ impl<T: Count, A, M, Q> Object<T, A, M, Q> {
     /// [`ConvertError::OutOfRange`] if the nearest count is outside the limits or the type.
     pub fn raw_nearest(self, value: Value<Q>) -> Result<T, ConvertError>
     where
+        T: Count,
         Q: FixedUnit,
     {
         self.accepted(self.own_factor()?.nearest_count(value.num(), value.den()))
@@ -102,6 +113,7 @@ impl<T: Count, A, M, Q> Object<T, A, M, Q> {
     /// [`ConvertError::TooLarge`] if the fraction takes more than 64 bits above or 32 bits below the line.
     pub fn value_of(self, raw: T) -> Result<Value<Q>, ConvertError>
     where
+        T: Count,
         Q: FixedUnit,
     {
         self.value(self.own_factor()?, raw)
@@ -114,6 +126,7 @@ impl<T: Count, A, M, Q> Object<T, A, M, Q> {
     /// than 64 bits.
     pub fn raw_with<P: FixedUnit>(self, scale: &Scale<Q, P>, value: Value<P>) -> Result<T, ConvertError>
     where
+        T: Count,
         Q: UserUnit<P>,
     {
         self.accepted(self.joined_factor(scale.factor())?.exact_count(value.num(), value.den()))
@@ -129,6 +142,7 @@ impl<T: Count, A, M, Q> Object<T, A, M, Q> {
         value: Value<P>,
     ) -> Result<T, ConvertError>
     where
+        T: Count,
         Q: UserUnit<P>,
     {
         self.accepted(self.joined_factor(scale.factor())?.nearest_count(value.num(), value.den()))
@@ -140,6 +154,7 @@ impl<T: Count, A, M, Q> Object<T, A, M, Q> {
     /// Those of [`value_of`](Self::value_of), and [`ConvertError::NoScale`].
     pub fn value_with<P: FixedUnit>(self, scale: &Scale<Q, P>, raw: T) -> Result<Value<P>, ConvertError>
     where
+        T: Count,
         Q: UserUnit<P>,
     {
         self.value(self.joined_factor(scale.factor())?, raw)

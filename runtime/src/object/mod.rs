@@ -45,6 +45,16 @@ pub struct Object<T, A, M, Q> {
 /// A function pointer: `Send + Sync + Copy` whatever the markers are.
 type Types<T, A, M, Q> = PhantomData<fn() -> (T, A, M, Q)>;
 
+/// A type as an argument, for macros that know it by name.
+#[doc(hidden)]
+pub type Is<T> = PhantomData<fn() -> T>;
+
+/// The type as an argument.
+#[doc(hidden)]
+pub const fn is<T>() -> Is<T> {
+    PhantomData
+}
+
 /// What `min` holds where no lower limit is stated.
 pub(crate) const NO_MIN: i64 = i64::MIN;
 /// What `max` holds where no upper limit is stated.

@@ -53,7 +53,7 @@ impl MapEntry {
 
     /// The entry of an object; 0 bits if its length varies, which no layout accepts.
     #[allow(clippy::cast_possible_truncation)]
-    pub(crate) const fn of<T: Wire, A, M, Q>(object: &Object<T, A, M, Q>) -> Self {
+    pub(crate) const fn of<T: Wire, A, M, Q>(object: Object<T, A, M, Q>) -> Self {
         Self { address: object.address(), bits: T::BITS as u8 }
     }
 }

@@ -156,7 +156,7 @@ macro_rules! pdo_layout {
             $vis const ENTRIES: usize = <[&str]>::len(&[$(stringify!($field)),*]);
             /// What is mapped, in order.
             $vis const MAPPING: [$crate::pdo::MapEntry; Self::ENTRIES] =
-                [$($crate::mapping::$direction::entry::<$ty, _, _, _>(&$object)),*];
+                [$($crate::mapping::$direction::entry($crate::object::is::<$ty>(), $object)),*];
             /// Length in bytes.
             $vis const BYTES: usize = $crate::pdo::byte_len(&Self::MAPPING);
             /// Byte offset of every entry.

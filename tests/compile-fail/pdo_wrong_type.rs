@@ -1,0 +1,16 @@
+//! A field that is wider than its object: every later value would be two bytes off.
+//~ error[E0308]: mismatched types
+//~ expected `Object<i32, _, _, _>`, found `Object<i16, Ro, Tx, TorqueRatio>`
+use drivewright_runtime::prelude::*;
+
+const TORQUE: Object<i16, Ro, Tx, TorqueRatio> = Object::new(0x6077, 0).scale(1, 1_000);
+
+pdo_layout! {
+    /// Two bytes too many.
+    pub struct Report: Tx {
+        /// Torque.
+        torque: i32 = TORQUE,
+    }
+}
+
+fn main() {}
