@@ -114,6 +114,16 @@ pub fn write(files: &FileSet, folder: &Path) -> Result<Vec<Difference>, SinkErro
     Ok(found)
 }
 
+/// What [`write`] would change in the file at `path`, as a unified diff.
+#[cfg(feature = "diff")]
+pub fn unified(files: &FileSet, folder: &Path, path: &str) -> String {
+    let old = fs::read(folder.join(path)).unwrap_or_default();
+    let (old, new) =
+        (String::from_utf8_lossy(&old), String::from_utf8_lossy(files.get(path).unwrap_or_default()));
+    let diff = similar::TextDiff::from_lines(old.as_ref(), new.as_ref());
+    diff.unified_diff().header(&format!("a/{path}"), &format!("b/{path}")).to_string()
+}
+
 /// Marks a file that is being written; one that an interruption left behind is an orphan of the next run.
 const UNFINISHED: &str = ".unfinished";
 

@@ -1,7 +1,7 @@
 //! Input texts and places in them.
 //!
 //! Every value that a profile states keeps a [`Span`], so that each diagnostic can point at it. Nothing here touches the
-//! file system: [`crate::load`] and [`crate::build`] do, and hand texts over.
+//! file system: [`crate::load`] does, and hands texts over.
 
 use std::fmt;
 

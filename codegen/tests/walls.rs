@@ -23,7 +23,7 @@ const WALLS: &[(&str, &[&str])] = &[
 /// A crate and the only files that may name it.
 const KNOWERS: &[(&str, &[&str])] = &[
     ("annotate_snippets", &["diag/render.rs"]),
-    ("::toml::", &["raw/toml.rs"]),
+    ("use ::toml", &["raw/toml.rs"]),
     ("minijinja", &["backend/rust"]),
     ("prettyplease", &["backend/rust"]),
 ];

@@ -165,7 +165,7 @@ fn report(files: &FileSet, folder: &Path, found: &[Difference], options: &Option
         let line = difference.line.map_or_else(String::new, |l| format!(" (first in line {l})"));
         println!("{}: generated/{name}/{}{line}", difference.state.word(), difference.path);
         if options.diff {
-            print!("{}", unified(files, folder, &difference.path));
+            print!("{}", sink::unified(files, folder, &difference.path));
         }
     }
     if found.is_empty() || !options.check {
@@ -173,14 +173,6 @@ fn report(files: &FileSet, folder: &Path, found: &[Difference], options: &Option
     }
     println!("run `cargo xtask regen` and commit the result");
     End::Findings
-}
-
-fn unified(files: &FileSet, folder: &Path, path: &str) -> String {
-    let old = fs::read(folder.join(path)).unwrap_or_default();
-    let (old, new) =
-        (String::from_utf8_lossy(&old), String::from_utf8_lossy(files.get(path).unwrap_or_default()));
-    let diff = similar::TextDiff::from_lines(old.as_ref(), new.as_ref());
-    diff.unified_diff().header(&format!("a/{path}"), &format!("b/{path}")).to_string()
 }
 
 /// Folders below `generated/` that no profile makes.

@@ -1,0 +1,91 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+
+const EXIT_CODES: &str = "\
+Exit codes: 0 fine, 1 findings, 2 wrong usage, 3 the disk refused.
+Colour is used on a terminal only, and never with NO_COLOR set.";
+
+/// Compiles servo-drive profiles: checks them, builds crates and device files, explains findings.
+#[derive(Parser)]
+#[command(name = "drivewright", version, after_help = EXIT_CODES)]
+pub(crate) struct Arguments {
+    /// Say only what is wrong.
+    #[arg(short, long, global = true)]
+    pub(crate) quiet: bool,
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Subcommand)]
+pub(crate) enum Command {
+    /// Checks a profile and reports every finding.
+    #[command(after_help = "Example:\n  drivewright check profiles/savch/sdv3-e --format github")]
+    Check {
+        /// The profile's folder.
+        folder: PathBuf,
+        /// How findings are printed.
+        #[arg(long, value_enum, default_value_t)]
+        format: Format,
+    },
+    /// Builds a profile into a folder.
+    #[command(after_help = "Examples:\n  drivewright build profiles/acme/x1 --out generated/acme-x1\n  \
+                            drivewright build profiles/acme/x1 --out out --only eds,json\n  \
+                            drivewright build profiles/acme/x1 --out out --check")]
+    Build {
+        /// The profile's folder.
+        folder: PathBuf,
+        /// The folder to write: it will hold exactly what is built.
+        #[arg(long)]
+        out: PathBuf,
+        /// Build only these formats.
+        #[arg(long, value_delimiter = ',', value_parser = formats())]
+        only: Vec<String>,
+        /// Write nothing; name every missing, changed and orphaned file, and end with 1 if there is one.
+        #[arg(long)]
+        check: bool,
+        /// Write nothing; show what would change.
+        #[arg(long, conflicts_with = "check")]
+        diff: bool,
+        /// How findings are printed.
+        #[arg(long, value_enum, default_value_t)]
+        format: Format,
+    },
+    /// Explains a code: why it is there, an example that fails, one that passes, what to do.
+    #[command(after_help = "Example:\n  drivewright explain E0602")]
+    Explain {
+        /// The code, such as E0602.
+        code: String,
+    },
+    /// Lists every code.
+    Lints,
+    /// Prints the JSON schema of profiles, for completion in an editor.
+    Schema,
+    /// Prints a completion script.
+    #[command(
+        after_help = "Example:\n  drivewright completions bash > ~/.local/share/bash-completion/completions/drivewright"
+    )]
+    Completions {
+        /// The shell.
+        shell: Shell,
+    },
+}
+
+/// How findings are printed.
+#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// For people.
+    #[default]
+    Human,
+    /// One JSON object a line, on standard output.
+    Json,
+    /// GitHub workflow commands, on standard output.
+    Github,
+}
+
+fn formats() -> clap::builder::PossibleValuesParser {
+    drivewright_codegen::backend::ALL.iter().map(|b| b.id()).collect::<Vec<_>>().into()
+}

@@ -1,0 +1,201 @@
+//! What each command does.
+
+use std::io::{IsTerminal, Write};
+use std::path::Path;
+
+use clap::CommandFactory;
+use drivewright_codegen::backend::{self, Backend};
+use drivewright_codegen::check::LINTS;
+use drivewright_codegen::diag::{Code, Diagnostic, Severity, code, github, json, render};
+use drivewright_codegen::emit::FileSet;
+use drivewright_codegen::model::Model;
+use drivewright_codegen::sink::{self, Difference, SinkError, State};
+use drivewright_codegen::source::SourceMap;
+use drivewright_codegen::{compile, emit, load, schema};
+
+use crate::End;
+use crate::arguments::{Arguments, Command, Format};
+
+/// Runs the command.
+pub(crate) fn run(arguments: &Arguments) -> End {
+    let quiet = arguments.quiet;
+    match &arguments.command {
+        Command::Check { folder, format } => check(folder, *format, quiet),
+        Command::Build { folder, out, only, check, diff, format } => {
+            let mode = if *check { Mode::Check } else { Mode::Write };
+            build(folder, out, only, if *diff { Mode::Diff } else { mode }, *format, quiet)
+        }
+        Command::Explain { code } => explain(code),
+        Command::Lints => print(&codes()),
+        Command::Schema => print(&schema::profile_schema()),
+        Command::Completions { shell } => {
+            let mut script = Vec::new();
+            clap_complete::generate(*shell, &mut Arguments::command(), "drivewright", &mut script);
+            print(&String::from_utf8_lossy(&script))
+        }
+    }
+}
+
+/// Prints `text`. A reader that has seen enough (`drivewright lints | head`) is no error.
+fn print(text: &str) -> End {
+    match std::io::stdout().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => disk(&error),
+        _ => End::Fine,
+    }
+}
+
+fn disk(error: &dyn std::fmt::Display) -> End {
+    eprintln!("error: {error}");
+    End::Disk
+}
+
+/// A profile, compiled.
+struct Profile {
+    model: Option<Model>,
+    findings: Vec<Diagnostic>,
+    sources: SourceMap,
+}
+
+impl Profile {
+    fn load(folder: &Path) -> Self {
+        let loaded = load::folder(folder);
+        let readable = loaded.diagnostics.is_empty();
+        // Without any text the missing `drive` is no finding of its own.
+        let compiled =
+            if loaded.sources.is_empty() && !readable { None } else { Some(compile(loaded.sources)) };
+        let mut findings = loaded.diagnostics;
+        let Some(compiled) = compiled else {
+            return Self { model: None, findings, sources: SourceMap::default() };
+        };
+        let model = compiled.sound().filter(|_| readable).cloned();
+        findings.extend(compiled.diagnostics);
+        Self { model, findings, sources: compiled.sources }
+    }
+
+    fn end(&self) -> End {
+        let unreadable = |d: &Diagnostic| d.code == code::FILE_MISSING;
+        match self.findings.iter().any(|d| d.severity() == Severity::Error) {
+            _ if self.findings.iter().any(unreadable) => End::Disk,
+            true => End::Findings,
+            false => End::Fine,
+        }
+    }
+
+    /// Prints the findings, and for people a summary of what they are.
+    fn show(&self, folder: &Path, format: Format, quiet: bool) {
+        let folder = folder.display().to_string().replace('\\', "/");
+        match format {
+            Format::Json => {
+                print(&json::lines(&self.findings, &self.sources));
+            }
+            Format::Github => {
+                print(&github::commands(&self.findings, &self.sources, &folder));
+            }
+            Format::Human => {
+                eprint!("{}", render::text(&self.findings, &self.sources, style()));
+                if let Some(summary) = render::summary(&self.findings) {
+                    eprintln!("{folder}: {summary}; `drivewright explain CODE` tells more");
+                } else if let (Some(model), false) = (&self.model, quiet) {
+                    println!(
+                        "{folder}: {} {}: {} objects, {} entries, {} PDOs, {} alarms, {} errata, no findings",
+                        model.drive.vendor,
+                        model.drive.name,
+                        model.objects.len(),
+                        model.entries.len(),
+                        model.pdos.len(),
+                        model.alarms.len(),
+                        model.errata.len()
+                    );
+                }
+            }
+        }
+    }
+}
+
+fn style() -> render::Style {
+    let no_colour = std::env::var_os("NO_COLOR").is_some_and(|v| !v.is_empty());
+    render::Style { colour: std::io::stderr().is_terminal() && !no_colour }
+}
+
+fn check(folder: &Path, format: Format, quiet: bool) -> End {
+    let profile = Profile::load(folder);
+    profile.show(folder, format, quiet);
+    profile.end()
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Mode {
+    Write,
+    Check,
+    Diff,
+}
+
+fn build(folder: &Path, out: &Path, only: &[String], mode: Mode, format: Format, quiet: bool) -> End {
+    let mut profile = Profile::load(folder);
+    let Some(model) = profile.model.take() else {
+        profile.show(folder, format, quiet);
+        eprintln!("nothing was written");
+        return profile.end();
+    };
+    let chosen: Vec<&dyn Backend> = backend::ALL
+        .iter()
+        .copied()
+        .filter(|b| only.is_empty() || only.iter().any(|id| id == b.id()))
+        .collect();
+    let (files, losses) = emit(&model, &chosen);
+    profile.findings.extend(losses);
+    profile.show(folder, format, true);
+    match deliver(&files, out, mode) {
+        Ok(found) => told(&files, out, &found, mode, quiet),
+        Err(error) => disk(&error),
+    }
+}
+
+fn deliver(files: &FileSet, out: &Path, mode: Mode) -> Result<Vec<Difference>, SinkError> {
+    if mode == Mode::Write { sink::write(files, out) } else { sink::check(files, out) }
+}
+
+fn told(files: &FileSet, out: &Path, found: &[Difference], mode: Mode, quiet: bool) -> End {
+    let place = out.display().to_string().replace('\\', "/");
+    for difference in found.iter().filter(|_| mode != Mode::Write) {
+        println!("{}: {place}/{}", difference.state.word(), difference.path);
+        if mode == Mode::Diff {
+            print(&sink::unified(files, out, &difference.path));
+        }
+    }
+    if !quiet {
+        let gone = found.iter().filter(|d| d.state == State::Orphaned).count();
+        let rest = found.len() - gone;
+        match mode {
+            Mode::Write => println!("{place}: {} files, {rest} written, {gone} removed", files.len()),
+            _ => println!("{place}: {} files, {rest} would be written, {gone} removed", files.len()),
+        }
+    }
+    if mode == Mode::Check && !found.is_empty() { End::Findings } else { End::Fine }
+}
+
+fn explain(wanted: &str) -> End {
+    let wanted = wanted.to_ascii_uppercase();
+    if let Some(lint) = LINTS.iter().find(|l| l.code.id() == wanted) {
+        return print(lint.page);
+    }
+    if let Some(code) = code::ALL.iter().find(|c| c.id() == wanted) {
+        let text = format!(
+            "# {}: {}\n\nSeverity: {}.\n\nThe finding itself says where, why and what to do.\n",
+            code.id(),
+            code.title(),
+            code.severity().word()
+        );
+        return print(&text);
+    }
+    eprintln!("error: there is no code `{wanted}`; `drivewright lints` lists them");
+    End::Usage
+}
+
+fn codes() -> String {
+    let lints = LINTS.iter().map(|l| l.code);
+    let mut codes: Vec<_> = code::ALL.iter().copied().chain(lints).collect();
+    codes.sort_by_key(|c| c.id()[1..].to_owned());
+    let line = |c: &Code| format!("{}  {:<7}  {}", c.id(), c.severity().word(), c.title());
+    codes.iter().map(line).collect::<Vec<_>>().join("\n") + "\n"
+}

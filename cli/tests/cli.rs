@@ -1,0 +1,126 @@
+//! The program as a user calls it: exit codes, formats, and where text goes.
+
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::disallowed_methods,
+    reason = "a test runs the program on files"
+)]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+const DRIVE: &str = r#"
+manuals = [ { id = "m1", title = "T", version = "1", sha256 = "0000000000000000000000000000000000000000000000000000000000000000", lines = 10 } ]
+objects = [
+  { at = "2000:00", name = "Speed", type = "u16", access = "rw", default = 5, src = "1 L2" },
+]
+
+[drive]
+format = 1
+id = "x1"
+vendor = "Acme"
+vendor_id = "acme"
+name = "X1"
+crate_version = "0.1.0"
+eds_version = 1
+eds_revision = 0
+date = "2026-01-01"
+"#;
+
+fn folder(name: &str, text: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("cli").join(name);
+    let _ = fs::remove_dir_all(&path);
+    fs::create_dir_all(path.join("profile")).expect("a folder");
+    fs::write(path.join("profile/drive.toml"), text).expect("a file");
+    path
+}
+
+fn run(at: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_drivewright"))
+        .current_dir(at)
+        .args(arguments)
+        .output()
+        .expect("the program runs")
+}
+
+fn out(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+fn err(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+fn code(output: &Output) -> i32 {
+    output.status.code().expect("an exit code")
+}
+
+#[test]
+fn a_sound_profile_is_checked_and_built() {
+    let at = folder("sound", DRIVE);
+    let checked = run(&at, &["check", "profile"]);
+    assert_eq!((code(&checked), err(&checked).as_str()), (0, ""));
+    assert!(out(&checked).contains("1 objects, 1 entries") && out(&checked).contains("no findings"));
+    assert_eq!(out(&run(&at, &["check", "profile", "--quiet"])), "");
+    assert_eq!(code(&run(&at, &["build", "profile", "--out", "o", "--check"])), 1, "all is missing");
+    assert!(!at.join("o").exists());
+    assert_eq!(code(&run(&at, &["build", "profile", "--out", "o"])), 0);
+    assert!(at.join("o/map.txt").exists() && at.join("o/eds/acme-x1.eds").exists());
+    assert_eq!(code(&run(&at, &["build", "profile", "--out", "o", "--check"])), 0);
+    fs::write(at.join("o/map.txt"), "edited by hand\n").expect("a file");
+    let checked = run(&at, &["build", "profile", "--out", "o", "--check"]);
+    assert_eq!((code(&checked), out(&checked).lines().next()), (1, Some("changed: o/map.txt")));
+    let diff = run(&at, &["build", "profile", "--out", "o", "--diff"]);
+    assert!(code(&diff) == 0 && out(&diff).contains("-edited by hand"));
+}
+
+#[test]
+fn only_the_formats_asked_for_are_built() {
+    let at = folder("only", DRIVE);
+    assert_eq!(code(&run(&at, &["build", "profile", "--out", "o", "--only", "map"])), 0);
+    assert!(at.join("o/map.txt").exists() && !at.join("o/eds").exists());
+    assert_eq!(code(&run(&at, &["build", "profile", "--out", "o", "--only", "mpa"])), 2);
+}
+
+#[test]
+fn findings_have_their_place_in_every_format() {
+    let at = folder("unsound", &DRIVE.replace("default = 5", "default = 70000"));
+    let human = run(&at, &["check", "profile"]);
+    assert_eq!((code(&human), out(&human).as_str()), (1, ""));
+    assert!(err(&human).contains("error[E0402]") && err(&human).contains("drive.toml:4:"), "{}", err(&human));
+    assert!(!err(&human).contains('\u{1b}'), "no colour in a pipe");
+    let json = run(&at, &["check", "profile", "--format", "json"]);
+    assert!(
+        code(&json) == 1 && out(&json).starts_with(r#"{"code":"E0402","severity":"error""#),
+        "{}",
+        out(&json)
+    );
+    assert!(out(&json).contains(r#""path":"drive.toml","line":4"#));
+    let github = run(&at, &["check", "profile", "--format", "github"]);
+    assert!(out(&github).starts_with("::error file=profile/drive.toml,line=4,col="), "{}", out(&github));
+    assert_eq!(code(&run(&at, &["build", "profile", "--out", "o"])), 1);
+    assert!(!at.join("o").exists(), "nothing is half written");
+}
+
+#[test]
+fn what_is_not_there_is_the_disk_and_what_is_not_meant_is_usage() {
+    let at = folder("missing", DRIVE);
+    assert_eq!(code(&run(&at, &["check", "nowhere"])), 3);
+    assert_eq!(code(&run(&at, &["chekc", "profile"])), 2);
+    assert_eq!(code(&run(&at, &["explain", "E9999"])), 2);
+    assert_eq!(code(&run(&at, &["--help"])), 0);
+}
+
+#[test]
+fn codes_are_listed_and_explained() {
+    let at = folder("codes", DRIVE);
+    assert!(out(&run(&at, &["lints"])).contains("E0602  error"));
+    assert!(out(&run(&at, &["explain", "e0602"])).contains("## Fails"));
+    assert!(out(&run(&at, &["explain", "E0101"])).contains("not TOML"));
+    assert!(out(&run(&at, &["schema"])).contains("draft-07"));
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        assert!(out(&run(&at, &["completions", shell])).contains("drivewright"), "{shell}");
+    }
+}
