@@ -107,7 +107,7 @@ pub fn facts(model: &Model) -> Vec<FactLine<'_>> {
 }
 
 /// Tables in the order of their names: those of bases come into the model in the order of use.
-fn by_name<T>(tables: &[T], name: impl Fn(&T) -> &Name) -> impl Iterator<Item = &T> {
+pub(crate) fn by_name<T>(tables: &[T], name: impl Fn(&T) -> &Name) -> impl Iterator<Item = &T> {
     let mut sorted: Vec<&T> = tables.iter().collect();
     sorted.sort_by(|a, b| name(a).words().cmp(name(b).words()));
     sorted.into_iter()

@@ -1,4 +1,14 @@
 //! `model.json`: the whole model for other programs.
+//!
+//! [`shape`] is the file as types, [`lower`] fills them from the model, [`layout`] breaks the text into lines, and
+//! [`schema`] describes it from the same types. The file is a format of its own: the model may change behind it.
+
+mod layout;
+mod lower;
+mod schema;
+mod shape;
+
+pub use schema::model_schema;
 
 use super::Backend;
 use crate::diag::Sink;
@@ -13,5 +23,11 @@ impl Backend for Json {
         "json"
     }
 
-    fn emit(&self, _model: &Model, _out: &mut FileSet, _sink: &mut Sink) {}
+    fn emit(&self, model: &Model, out: &mut FileSet, _sink: &mut Sink) {
+        // Text, numbers, lists and structs: none of them can fail to become JSON.
+        if let Ok(compact) = serde_json::to_string(&lower::document(model)) {
+            // The path is a literal that every RelPath rule allows.
+            let _ = out.add("model.json", layout::lines(&compact));
+        }
+    }
 }

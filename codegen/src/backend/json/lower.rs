@@ -1,0 +1,232 @@
+//! The model as the structs of [`super::shape`].
+
+use super::shape::{
+    Alarm, BitField, Bits, Document, Drive, Entry, Enum, EnumValue, Erratum, Identity, Integer, Known,
+    Manual, Object, Pdo, PdoEntry, Unit, Word,
+};
+use crate::facts::by_name;
+use crate::model::{self, Address, Class, Fact, Model, Origin, Value};
+use crate::name::{Case, Name};
+
+const ABOUT: &str = "Facts of the drive for other programs. Written by drivewright with `cargo xtask regen`: edit the profile, not this file.";
+
+/// The whole file.
+pub(super) fn document(model: &Model) -> Document<'_> {
+    Document {
+        format: 1,
+        about: ABOUT,
+        drive: drive(model),
+        identity: identity(model),
+        manuals: model.manuals.iter().map(manual).collect(),
+        objects: model.objects.as_slice().iter().map(|o| object(model, o)).collect(),
+        enums: by_name(model.enums.as_slice(), |e| &e.name).map(|e| enumeration(model, e)).collect(),
+        bits: by_name(model.bits.as_slice(), |b| &b.name).map(|b| bits(model, b)).collect(),
+        pdos: model.pdos.iter().map(|p| pdo(model, p)).collect(),
+        alarms: model.alarms.iter().map(|a| alarm(model, a)).collect(),
+        errata: model.errata.as_slice().iter().map(erratum).collect(),
+    }
+}
+
+/// A value and who says it.
+fn known<'m, T>(model: &'m Model, value: T, origin: &'m Origin) -> Known<'m, T> {
+    let detail = match &origin.class {
+        Class::Stated => None,
+        Class::Inferred(rule) => Some(("rule", rule.as_str())),
+        Class::Standard(base) => Some(("base", base.as_str())),
+        Class::Assumed(reason) => Some(("reason", reason.as_str())),
+    };
+    Known {
+        value,
+        class: origin.class.word(),
+        detail,
+        cite: origin.cite.as_ref().map(ToString::to_string),
+        erratum: origin.erratum.map(|id| model.errata[id].id.as_str()),
+    }
+}
+
+fn maybe<'m, T, U>(
+    model: &'m Model,
+    fact: Option<&'m Fact<T>>,
+    value: impl Fn(&'m T) -> U,
+) -> Option<Known<'m, U>> {
+    fact.map(|f| known(model, value(&f.value), &f.origin))
+}
+
+fn handle(name: &Name) -> String {
+    name.to_case(Case::Snake)
+}
+
+fn drive(model: &Model) -> Drive<'_> {
+    let drive = &model.drive;
+    Drive {
+        id: &drive.id,
+        package: &drive.package,
+        vendor: &drive.vendor,
+        name: &drive.name,
+        crate_version: &drive.crate_version,
+        eds_version: drive.eds_version,
+        eds_revision: drive.eds_revision,
+        date: &drive.date,
+        bases: drive.bases.iter().map(String::as_str).collect(),
+        pdo_entries: maybe(model, drive.limits.pdo_entries.as_ref(), |n| *n),
+        pdo_bytes: maybe(model, drive.limits.pdo_bytes.as_ref(), |n| *n),
+        pdos_per_direction: maybe(model, drive.limits.pdos_per_direction.as_ref(), |n| *n),
+    }
+}
+
+fn identity(model: &Model) -> Identity {
+    let default = |index, sub| model.default_int(Address::new(index, sub)).map(Integer);
+    Identity {
+        device_type: default(0x1000, 0),
+        vendor_id: default(0x1018, 1),
+        product_code: default(0x1018, 2),
+        revision: default(0x1018, 3),
+    }
+}
+
+fn manual(manual: &model::Manual) -> Manual<'_> {
+    Manual {
+        id: &manual.id,
+        title: &manual.title,
+        version: &manual.version,
+        date: manual.date.as_deref(),
+        sha256: &manual.sha256,
+        lines: manual.lines,
+    }
+}
+
+fn object<'m>(model: &'m Model, object: &'m model::Object) -> Object<'m> {
+    Object {
+        at: format!("{:04X}", object.index),
+        index: object.index,
+        name: known(model, object.name.value.original(), &object.name.origin),
+        kind: known(model, Word(object.kind.value), &object.kind.origin),
+        entries: object.entries.iter().map(|id| entry(model, &model.entries[*id])).collect(),
+    }
+}
+
+fn entry<'m>(model: &'m Model, entry: &'m model::Entry) -> Entry<'m> {
+    let (default, default_text) = default(model, entry);
+    Entry {
+        at: entry.address.to_string(),
+        index: entry.address.index,
+        sub: entry.address.sub,
+        handle: handle(&entry.handle),
+        name: known(model, &entry.name.value, &entry.name.origin),
+        ty: known(model, Word(entry.ty.value), &entry.ty.origin),
+        width: entry.ty.value.bits(),
+        access: known(model, Word(entry.access.value), &entry.access.origin),
+        pdo: maybe(model, entry.mapping.as_ref(), |m| Word(*m)),
+        unit: maybe(model, entry.unit.as_ref(), unit),
+        min: maybe(model, entry.min.as_ref(), |n| Integer(*n)),
+        max: maybe(model, entry.max.as_ref(), |n| Integer(*n)),
+        allow: maybe(model, entry.allow.as_ref(), |list| list.iter().copied().map(Integer).collect()),
+        default,
+        default_text,
+        values: maybe(model, entry.values.as_ref(), |id| model.enums[*id].name.original()),
+        bits: maybe(model, entry.bits.as_ref(), |id| model.bits[*id].name.original()),
+        text: entry.text.as_deref(),
+        deviation: entry.deviation.as_deref(),
+    }
+}
+
+/// The default as a number or as a text.
+fn default<'m>(
+    model: &'m Model,
+    entry: &'m model::Entry,
+) -> (Option<Known<'m, Integer>>, Option<Known<'m, &'m str>>) {
+    match entry.default.as_ref() {
+        None => (None, None),
+        Some(Fact { value: Value::Int(n), origin }) => (Some(known(model, Integer(*n), origin)), None),
+        Some(Fact { value: Value::Text(t), origin }) => (None, Some(known(model, t, origin))),
+    }
+}
+
+fn unit(unit: &model::Unit) -> Unit<'_> {
+    Unit { text: &unit.text, quantity: Word(unit.quantity), num: unit.num, den: unit.den }
+}
+
+fn enumeration<'m>(model: &'m Model, table: &'m model::EnumDef) -> Enum<'m> {
+    let value = |v: &'m model::EnumValue| EnumValue {
+        value: Integer(v.value),
+        handle: handle(&v.name.value),
+        name: known(model, &v.printed, &v.name.origin),
+        text: v.text.as_deref(),
+    };
+    Enum { name: table.name.original(), values: table.values.iter().map(value).collect() }
+}
+
+fn bits<'m>(model: &'m Model, table: &'m model::BitsDef) -> Bits<'m> {
+    let field = |f: &'m model::BitField| BitField {
+        bit: f.bit,
+        width: f.width,
+        mode: f.mode,
+        handle: handle(&f.name.value),
+        name: known(model, &f.printed, &f.name.origin),
+        text: f.text.as_deref(),
+        deviation: f.deviation.as_deref(),
+    };
+    Bits { name: table.name.original(), fields: table.fields.iter().map(field).collect() }
+}
+
+fn pdo<'m>(model: &'m Model, pdo: &'m model::Pdo) -> Pdo<'m> {
+    let mut offset = 0;
+    let mut entries = Vec::with_capacity(pdo.entries.len());
+    for mapped in &pdo.entries {
+        entries.push(pdo_entry(model, mapped, offset));
+        offset += u32::from(mapped.bits.value);
+    }
+    Pdo {
+        at: format!("{:04X}", pdo.index),
+        index: pdo.index,
+        direction: known(model, Word(pdo.direction), &pdo.origin),
+        bits: offset,
+        bytes: offset.div_ceil(8),
+        entries,
+    }
+}
+
+fn pdo_entry<'m>(model: &'m Model, mapped: &'m model::PdoEntry, offset: u32) -> PdoEntry<'m> {
+    let address = model.entries[mapped.entry].address;
+    PdoEntry {
+        position: mapped.position,
+        index: address.index,
+        sub: address.sub,
+        entry: known(model, address.to_string(), &mapped.origin),
+        byte: offset / 8,
+        bit: offset % 8,
+        bits: known(model, mapped.bits.value, &mapped.bits.origin),
+    }
+}
+
+fn alarm<'m>(model: &'m Model, alarm: &'m model::Alarm) -> Alarm<'m> {
+    let texts = |list: &'m [Fact<String>]| -> Vec<Known<'m, &'m str>> {
+        list.iter().map(|t| known(model, t.value.as_str(), &t.origin)).collect()
+    };
+    Alarm {
+        key: format!("{} 0x{:02X}", alarm.display, alarm.number.value),
+        display: &alarm.display,
+        handle: handle(&alarm.name.value),
+        name: known(model, &alarm.printed, &alarm.name.origin),
+        number: known(model, alarm.number.value, &alarm.number.origin),
+        code: known(model, alarm.code.value, &alarm.code.origin),
+        aux: maybe(model, alarm.aux.as_ref(), |n| *n),
+        reset: maybe(model, alarm.reset.as_ref(), |r| Word(*r)),
+        causes: texts(&alarm.causes),
+        remedies: texts(&alarm.remedies),
+    }
+}
+
+fn erratum(erratum: &model::Erratum) -> Erratum<'_> {
+    Erratum {
+        id: &erratum.id,
+        at: &erratum.at,
+        field: &erratum.field,
+        was: &erratum.was,
+        seen: erratum.seen.to_string(),
+        set: erratum.set.as_deref(),
+        by: erratum.by.as_ref().map(ToString::to_string),
+        why: &erratum.why,
+        sure: Word(erratum.sure),
+    }
+}
