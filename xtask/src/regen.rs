@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use drivewright_codegen::diag::{Diagnostic, Severity, render};
 use drivewright_codegen::emit::FileSet;
+use drivewright_codegen::schema::profile_schema;
 use drivewright_codegen::sink::{self, Difference, SinkError, State};
 use drivewright_codegen::source::SourceMap;
 use drivewright_codegen::{backend, compile, emit, load};
@@ -38,8 +39,33 @@ pub fn run(root: &Path, options: &Options) -> End {
     }
     if options.drives.is_empty() {
         end = end.max(strays(root, &packages, options));
+        match schemas(root, options) {
+            Ok(one) => end = end.max(one),
+            Err(error) => return disk(&error),
+        }
     }
     end
+}
+
+/// The JSON schemas of profiles and of `model.json`.
+fn schemas(root: &Path, options: &Options) -> Result<End, SinkError> {
+    let mut files = FileSet::default();
+    for (path, text) in
+        [("profile.schema.json", profile_schema()), ("model.schema.json", backend::json::model_schema())]
+    {
+        // Both paths are literals that every RelPath rule allows.
+        let _ = files.add(path, text);
+    }
+    let folder = root.join("codegen/schema");
+    let found = if options.check || options.diff {
+        sink::check(&files, &folder)?
+    } else {
+        sink::write(&files, &folder)?
+    };
+    if !found.is_empty() {
+        println!("schemas: {}", changes(&found, options));
+    }
+    Ok(report(&files, &folder, &found, options))
 }
 
 fn disk(error: &dyn std::fmt::Display) -> End {
@@ -160,10 +186,10 @@ fn report(files: &FileSet, folder: &Path, found: &[Difference], options: &Option
     if !options.check && !options.diff {
         return End::Fine;
     }
-    let name = folder.file_name().unwrap_or_default().to_string_lossy();
+    let name = place(folder);
     for difference in found {
         let line = difference.line.map_or_else(String::new, |l| format!(" (first in line {l})"));
-        println!("{}: generated/{name}/{}{line}", difference.state.word(), difference.path);
+        println!("{}: {name}/{}{line}", difference.state.word(), difference.path);
         if options.diff {
             print!("{}", sink::unified(files, folder, &difference.path));
         }
@@ -173,6 +199,12 @@ fn report(files: &FileSet, folder: &Path, found: &[Difference], options: &Option
     }
     println!("run `cargo xtask regen` and commit the result");
     End::Findings
+}
+
+/// The last two parts of a folder's path: `generated/savch-sdv3-e`, `codegen/schema`.
+fn place(folder: &Path) -> String {
+    let parts: Vec<_> = folder.iter().rev().take(2).map(|p| p.to_string_lossy()).collect();
+    parts.into_iter().rev().collect::<Vec<_>>().join("/")
 }
 
 /// Folders below `generated/` that no profile makes.

@@ -1,6 +1,8 @@
 //! Breaks JSON text into lines that a person can read and compare: a fact is one line, and so is every list or object
 //! without another one in it.
 
+use std::fmt::Write;
+
 use crate::emit::escape::is_hidden;
 
 /// The compact JSON `text` in lines, with a line feed at its end. Hidden characters become escapes.
@@ -32,7 +34,8 @@ impl Printer {
     fn text(&mut self, c: char) {
         if is_hidden(c) {
             // Every hidden character is of the basic plane.
-            self.out.push_str(&format!("\\u{:04x}", u32::from(c)));
+            // Writing to a String cannot fail.
+            let _ = write!(self.out, "\\u{:04x}", u32::from(c));
         } else {
             self.out.push(c);
         }

@@ -116,21 +116,31 @@ impl<T: Shape> Shape for Vec<T> {
     }
 }
 
+/// What a value can have beside it: key, and what it means.
+const BESIDE: &[(&str, &str)] = &[
+    ("class", "How the value is known."),
+    ("cite", "Where the manual says it: manual, section, table (T) and lines (L) of the text extract."),
+    ("rule", "The rule by which an inferred value follows from the manual."),
+    ("base", "The base that says a standard value."),
+    ("reason", "Why an assumed value is this one: no manual states it."),
+    ("erratum", "Id of the erratum that set the value or that explains it."),
+];
+
 impl<T: Shape> Shape for Known<'_, T> {
     fn schema(definitions: &mut Map<String, Value>) -> Value {
-        let text = |doc: &str| json!({ "type": "string", "description": doc });
-        let classes = json!(["stated", "inferred", "standard", "assumed"]);
+        let mut properties = Map::new();
+        properties.insert("value".to_owned(), T::schema(definitions));
+        for (key, doc) in BESIDE {
+            let mut schema = json!({ "type": "string", "description": doc });
+            if *key == "class" {
+                schema["enum"] = json!(["stated", "inferred", "standard", "assumed"]);
+            }
+            definitions.insert((*key).to_owned(), schema);
+            properties.insert((*key).to_owned(), json!({ "$ref": format!("#/definitions/{key}") }));
+        }
         json!({
             "type": "object",
-            "properties": {
-                "value": T::schema(definitions),
-                "class": { "type": "string", "enum": classes, "description": "How the value is known." },
-                "cite": text("Where the manual says it: manual, section, table (T) and lines (L) of the text extract."),
-                "rule": text("The rule by which an inferred value follows from the manual."),
-                "base": text("The base that says a standard value."),
-                "reason": text("Why an assumed value is this one: no manual states it."),
-                "erratum": text("Id of the erratum that set the value or that explains it."),
-            },
+            "properties": properties,
             "required": ["value", "class"],
             "additionalProperties": false,
         })

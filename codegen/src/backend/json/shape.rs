@@ -91,9 +91,9 @@ shapes! {
         name "name": required &'m str,
         /// Version of the generated crate.
         crate_version "crate_version": required &'m str,
-        /// FileVersion of the EDS.
+        /// `FileVersion` of the EDS.
         eds_version "eds_version": required u8,
-        /// FileRevision of the EDS.
+        /// `FileRevision` of the EDS.
         eds_revision "eds_revision": required u8,
         /// Date of the profile's last change.
         date "date": required &'m str,
