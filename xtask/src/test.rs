@@ -4,13 +4,12 @@ use std::path::Path;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-use crate::{End, Options};
+use crate::{End, Options, judges};
 
 /// What became of a step.
 pub enum Outcome {
     Passed,
     Failed(String),
-    #[allow(dead_code, reason = "steps that need foreign programs are skipped without them")]
     Skipped(String),
 }
 
@@ -28,6 +27,7 @@ pub fn run(root: &Path, options: &Options) -> End {
         let folder = root.join(folder);
         step(&mut steps, name, options, || command(program, args, &folder, options));
     }
+    judges::run(root, options.quiet, &mut |name, judge| step(&mut steps, name, options, judge));
     summary(&steps)
 }
 

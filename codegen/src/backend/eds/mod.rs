@@ -5,6 +5,9 @@
 //! says, [`write`] prints it, [`comments`] tells the reader what is assumed or lost. What the format cannot hold is a
 //! [`loss`]: a warning and a comment in the file.
 //!
+//! What the manual states stands: `1600:00` counts what is mapped by default, not the mapping's sub-indexes. Only
+//! zencan-eds demands the highest sub-index there, too, and refuses such a file.
+//!
 //! It writes no DCF: a configuration is a choice of the user, not a fact about the drive.
 
 mod comments;

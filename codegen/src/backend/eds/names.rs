@@ -1,4 +1,4 @@
-//! `ParameterName`s: as printed, or the name of generated code where one print stands for several objects or entries.
+//! `ParameterName`s: as printed, with the number behind where one print stands for several objects or entries.
 //!
 //! Programs find an object by its name, and of two equal names they find one.
 
@@ -6,42 +6,38 @@ use std::collections::BTreeMap;
 
 use super::lower::is_variable;
 use crate::emit::escape;
-use crate::model::{Entry, Model, Object};
+use crate::model::{Model, Object};
 
-/// The names of the objects of a drive, in their order.
+/// The names of the objects of a drive, in their order: `Gain`, or `Gain 2001h`.
 pub(super) fn of_objects(model: &Model) -> Vec<String> {
     let objects = model.objects.as_slice().iter();
-    let names = objects.filter_map(|object| Some((printed(object, model), entries(object, model).next()?)));
-    unique(&names.collect::<Vec<_>>())
+    unique(&objects.map(|o| (printed(o, model), format!("{:04X}h", o.index))).collect::<Vec<_>>())
 }
 
-/// The names of the entries of an object, in their order.
+/// The names of the entries of an object, in their order: `Gain`, or `Gain 12` at sub-index 0Ch.
 pub(super) fn of_entries(object: &Object, model: &Model) -> Vec<String> {
-    unique(&entries(object, model).map(|entry| (entry.name.value.as_str(), entry)).collect::<Vec<_>>())
-}
-
-fn entries<'a>(object: &'a Object, model: &'a Model) -> impl Iterator<Item = &'a Entry> {
-    object.entries.iter().map(|id| &model.entries[*id])
+    let entries = object.entries.iter().map(|id| &model.entries[*id]);
+    unique(&entries.map(|e| (e.name.value.as_str(), e.address.sub.to_string())).collect::<Vec<_>>())
 }
 
 /// A variable is called what its entry is called.
 fn printed<'a>(object: &'a Object, model: &'a Model) -> &'a str {
-    match entries(object, model).next() {
-        Some(entry) if is_variable(object, model) => &entry.name.value,
+    match object.entries.first() {
+        Some(id) if is_variable(object, model) => &model.entries[*id].name.value,
         _ => object.name.value.original(),
     }
 }
 
-/// Names that stand once as they are; of the others, the handles of their entries. An address where no letter is left.
-fn unique(names: &[(&str, &Entry)]) -> Vec<String> {
+/// Escapes names; one that stands there twice, or of which nothing is left, gets its number.
+fn unique(names: &[(&str, String)]) -> Vec<String> {
     let mut times: BTreeMap<&str, u32> = BTreeMap::new();
     for (name, _) in names {
         *times.entry(name).or_insert(0) += 1;
     }
-    let name = |(name, entry): &(&str, &Entry)| {
-        let once = times.get(name).is_none_or(|n| *n == 1);
-        let text = escape::ini(if once { name } else { entry.handle.original() });
-        if text.is_empty() { entry.address.to_string() } else { text }
+    let numbered = |(name, number): &(&str, String)| {
+        let text = escape::ini(name);
+        let once = times.get(name).is_none_or(|n| *n == 1) && !text.is_empty();
+        if once { text } else { escape::ini(&format!("{text} {number}")) }
     };
-    names.iter().map(name).collect()
+    names.iter().map(numbered).collect()
 }
