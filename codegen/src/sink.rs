@@ -114,7 +114,7 @@ pub fn write(files: &FileSet, folder: &Path) -> Result<Vec<Difference>, SinkErro
     Ok(found)
 }
 
-/// What [`write`] would change in the file at `path`, as a unified diff.
+/// What [`write()`] would change in the file at `path`, as a unified diff.
 #[cfg(feature = "diff")]
 pub fn unified(files: &FileSet, folder: &Path, path: &str) -> String {
     let old = fs::read(folder.join(path)).unwrap_or_default();

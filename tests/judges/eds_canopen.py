@@ -1,8 +1,8 @@
 """Compares an EDS, as python-canopen reads it, with model.json. Usage: eds_canopen.py MODEL_JSON EDS"""
 
+import configparser
 import functools
 import json
-import re
 import sys
 import unicodedata
 from collections import Counter
@@ -20,8 +20,8 @@ TYPES = {
     "i24": 0x10, "f64": 0x11, "i40": 0x12, "i48": 0x13, "i56": 0x14, "i64": 0x15, "u24": 0x16, "u40": 0x18,
     "u48": 0x19, "u56": 0x1A, "u64": 0x1B,
 }
-# python-canopen 2.4.1 drops limits of signed types whose width is no power of two, without a word.
-UNREAD_LIMITS = {"i24", "i40", "i48", "i56"}
+# python-canopen 2.4.1 drops the limits of these without a word, so they are read from the text.
+UNREAD_LIMITS = {TYPES[word] for word in ("i24", "i40", "i48", "i56")}
 
 CHANGES = [
     ("type", r"^(DataType=0x000)6$", r"\g<1>7"),
@@ -106,36 +106,39 @@ def facts(entry, name, kind, obj, mapped):
         default = mapped.get((entry["index"], entry["sub"]))
     if default is None and kind != "var" and entry["sub"] == 0:
         default = max(e["sub"] for e in obj["entries"])
-    limits = integer and word not in UNREAD_LIMITS
     return {
         "name": name,
         "type": TYPES[word],
         "access": value(entry, "access"),
-        "lower limit": number(entry, "min") if limits else None,
-        "upper limit": number(entry, "max") if limits else None,
+        "lower limit": number(entry, "min") if integer else None,
+        "upper limit": number(entry, "max") if integer else None,
         "default": default if integer else None,
         "mapping": word != "domain" and value(entry, "pdo") not in (None, "no"),
     }
 
 
-def found(dictionary):
+def found(dictionary, text):
     """What python-canopen read, in the same form. Its arrays invent members, so only those read are looked at."""
     objects = {}
     for index, obj in dictionary.indices.items():
         kind = {ODVariable: "var", ODArray: "array", ODRecord: "record"}[type(obj)]
         members = {0: obj} if kind == "var" else obj.subindices
-        objects[index] = (obj.name, kind, {sub: read(member) for sub, member in members.items()})
+        objects[index] = (obj.name, kind, {sub: read(member, kind, text) for sub, member in members.items()})
     return objects
 
 
-def read(variable):
+def read(variable, kind, text):
     """What python-canopen read of an entry. An empty default becomes an empty text or none at all."""
+    low, high = variable.min, variable.max
+    if variable.data_type in UNREAD_LIMITS:
+        section = f"{variable.index:04X}" + ("" if kind == "var" else f"sub{variable.subindex:X}")
+        low, high = (text.getint(section, key, fallback=None) for key in ("LowLimit", "HighLimit"))
     return {
         "name": variable.name,
         "type": variable.data_type,
         "access": variable.access_type,
-        "lower limit": variable.min,
-        "upper limit": variable.max,
+        "lower limit": low,
+        "upper limit": high,
         "default": variable.default if variable.default not in ("", b"") else None,
         "mapping": variable.pdo_mappable,
     }
@@ -165,10 +168,10 @@ def dictionary_findings(here, there):
     return findings
 
 
-def header_findings(model, dictionary, path):
+def header_findings(model, dictionary, text, path):
     """Every difference between the identity, names and versions of the drive and those of the file."""
     info, drive, identity = dictionary.device_information, model["drive"], model["identity"]
-    file = dict(re.findall(r"^(\w+)=(.*?)\r?$", path.read_bytes().decode("ascii").split("[DeviceInfo]")[0], re.MULTILINE))
+    file = text["FileInfo"]
     year, month, day = drive["date"].split("-")
     pairs = {
         "vendor": (info.vendor_number, int(identity.get("vendor_id", 0))),
@@ -186,11 +189,14 @@ def header_findings(model, dictionary, path):
 
 def judge(model, path):
     """Everything in which the file differs from the model."""
+    text = configparser.RawConfigParser(delimiters="=")
     try:
+        text.read(path, encoding="ascii")
         dictionary = canopen.import_od(str(path))
     except Exception as error:  # Whatever stops the reader is a finding.
         return [f"python-canopen cannot read it: {error!r}"]
-    return header_findings(model, dictionary, path) + dictionary_findings(wanted(model), found(dictionary))
+    header = header_findings(model, dictionary, text, path)
+    return header + dictionary_findings(wanted(model), found(dictionary, text))
 
 
 if __name__ == "__main__":
