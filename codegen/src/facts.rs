@@ -234,6 +234,7 @@ fn entry<'m>(entry: &'m Entry, lines: &mut Lines<'m>) {
     lines.fact("values", entry.values.as_ref(), |id| model.enums[*id].name.to_string());
     lines.fact("bits", entry.bits.as_ref(), |id| model.bits[*id].name.to_string());
     lines.own_text("text", entry.text.as_ref());
+    lines.own_text("note", entry.note.as_ref());
     lines.own_text("deviation", entry.deviation.as_ref());
 }
 

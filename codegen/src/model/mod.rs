@@ -114,6 +114,8 @@ pub struct Entry {
     pub bits: Option<Fact<BitsId>>,
     /// What it is for, in our words.
     pub text: Option<String>,
+    /// A remark for the reader.
+    pub note: Option<String>,
     /// Why it may differ from the standard object of the same index.
     pub deviation: Option<String>,
 }

@@ -188,9 +188,25 @@ pub struct BitField {
 }
 
 impl BitField {
+    /// Its name with the short name of the mode in front, where it belongs to one: unique among all fields of its table.
+    pub fn scoped_name(&self) -> Name {
+        let Some(mode) = self.mode else { return self.name.value.clone() };
+        let prefixed = format!("{} {}", mode_name(mode), self.name.value);
+        Name::new(&prefixed).unwrap_or_else(|| self.name.value.clone())
+    }
+
     /// One past the highest bit.
     pub fn end(&self) -> u16 {
         u16::from(self.bit) + u16::from(self.width)
+    }
+}
+
+/// The short name of a mode of operation (6060h): `pp`, `csv`, or `mode n3` for the maker's own.
+fn mode_name(mode: i8) -> String {
+    const NAMES: [&str; 11] = ["no mode", "pp", "vl", "pv", "tq", "mode 5", "hm", "ip", "csp", "csv", "cst"];
+    match usize::try_from(mode) {
+        Ok(n) => NAMES.get(n).map_or_else(|| format!("mode {mode}"), |name| (*name).to_owned()),
+        Err(_) => format!("mode n{}", mode.unsigned_abs()),
     }
 }
 

@@ -23,17 +23,14 @@ pub(super) fn check_unique(model: &Model, sink: &mut Sink) {
         );
     }
     for (_, table) in model.bits.iter() {
-        let per_mode: std::collections::BTreeSet<Option<i8>> = table.fields.iter().map(|f| f.mode).collect();
-        for mode in per_mode {
-            // Bits of a mode stand beside those of every mode.
-            let fields = table.fields.iter().filter(|f| f.mode == mode || f.mode.is_none());
-            scope(
-                &format!("bits of `{}`", table.name),
-                fields.map(|f| (&f.name.value, f.name.span())),
-                Case::Snake,
-                sink,
-            );
-        }
+        let names: Vec<(Name, Span)> =
+            table.fields.iter().map(|f| (f.scoped_name(), f.name.span())).collect();
+        scope(
+            &format!("bits of `{}`", table.name),
+            names.iter().map(|(name, span)| (name, *span)),
+            Case::Snake,
+            sink,
+        );
     }
     scope("alarms", model.alarms.iter().map(|a| (&a.name.value, a.name.span())), Case::Snake, sink);
 }

@@ -213,6 +213,7 @@ impl<'a> Resolver<'a, '_> {
             values: values.and_then(|f| self.enum_fact(f)),
             bits: bits.and_then(|f| self.bits_fact(f)),
             text: self.pick("text", row, base, |r| r.text.as_ref()).map(|f| f.value.0),
+            note: row.note.as_ref().map(|n| n.value.0.clone()),
             deviation: row.deviation.as_ref().map(|d| d.value.0.clone()),
         })
     }

@@ -1,0 +1,102 @@
+//! Doc comments: what a reader of the generated crate wants to know of an entry, with who says so.
+
+use crate::emit::escape::rust_doc;
+use crate::model::{Class, Entry, Fact, Model, Origin, Value};
+
+/// Writes `text` as doc comment lines; an empty text is an empty line.
+pub(super) fn comment(indent: &str, lines: &[String]) -> String {
+    let line =
+        |l: &String| if l.is_empty() { format!("{indent}///\n") } else { format!("{indent}/// {l}\n") };
+    lines.iter().map(line).collect()
+}
+
+/// What to know of an entry.
+pub(super) fn entry(entry: &Entry, model: &Model) -> Vec<String> {
+    let mut lines = vec![headline(entry), String::new()];
+    lines.extend(entry.text.as_ref().map(|t| rust_doc(t)));
+    lines.extend(values(entry));
+    lines.extend(entry.note.as_ref().map(|n| format!("Note: {}", rust_doc(n))));
+    lines.extend(entry.deviation.as_ref().map(|d| format!("Deviates from the standard: {}", rust_doc(d))));
+    lines.extend(said(entry));
+    lines.extend(errata(entry, model));
+    lines
+}
+
+fn headline(entry: &Entry) -> String {
+    let mapping = match entry.mapping.as_ref().map(|m| m.value.word()) {
+        None => "mapping not stated",
+        Some("no") => "not mapped",
+        Some("rx") => "RxPDO",
+        Some("tx") => "TxPDO",
+        Some(_) => "RxPDO and TxPDO",
+    };
+    let (name, ty, access) =
+        (rust_doc(&entry.name.value), entry.ty.value.cia301_name(), entry.access.value.word());
+    format!("{name}, `{}`: {ty}, {access}, {mapping}.", entry.address)
+}
+
+fn values(entry: &Entry) -> Option<String> {
+    let unit = entry.unit.as_ref().map(|u| format!("In {}", rust_doc(&u.value.text)));
+    let number = |f: &Fact<i128>| f.value.to_string();
+    let range = match (&entry.min, &entry.max) {
+        (Some(min), Some(max)) => Some(format!("{} to {}", number(min), number(max))),
+        (Some(min), None) => Some(format!("from {}", number(min))),
+        (None, Some(max)) => Some(format!("to {}", number(max))),
+        (None, None) => None,
+    };
+    let allow = entry.allow.as_ref().map(|a| {
+        let list: Vec<String> = a.value.iter().map(ToString::to_string).collect();
+        format!("only {}", list.join(", "))
+    });
+    let default = entry.default.as_ref().map(|d| match &d.value {
+        Value::Int(n) if *n > 0xFFFF && entry.unit.is_none() => format!("default {n} ({n:08X}h)"),
+        Value::Int(n) => format!("default {n}"),
+        Value::Text(t) => format!("default \"{}\"", rust_doc(t)),
+    });
+    let parts: Vec<String> = [unit, range, allow, default].into_iter().flatten().collect();
+    let mut text = parts.join("; ");
+    if let Some(first) = text.get_mut(..1) {
+        first.make_ascii_uppercase();
+    }
+    (!text.is_empty()).then(|| format!("{text}."))
+}
+
+/// Where the manual says it, and what it does not say itself.
+fn said(entry: &Entry) -> Vec<String> {
+    let mut lines = Vec::new();
+    lines.extend(entry.name.origin.cite.as_ref().map(|c| format!("Manual: {}.", rust_doc(&c.to_string()))));
+    let facts: [(&str, Option<&Origin>); 9] = [
+        ("type", Some(&entry.ty.origin)),
+        ("access", Some(&entry.access.origin)),
+        ("mapping", entry.mapping.as_ref().map(|f| &f.origin)),
+        ("unit", entry.unit.as_ref().map(|f| &f.origin)),
+        ("minimum", entry.min.as_ref().map(|f| &f.origin)),
+        ("maximum", entry.max.as_ref().map(|f| &f.origin)),
+        ("allowed values", entry.allow.as_ref().map(|f| &f.origin)),
+        ("default", entry.default.as_ref().map(|f| &f.origin)),
+        ("name", Some(&entry.name.origin)),
+    ];
+    for (what, origin) in facts {
+        let Some(origin) = origin.filter(|o| !matches!(o.class, Class::Stated)) else { continue };
+        let (word, detail) = (origin.class.word(), origin.class.detail().unwrap_or_default());
+        lines.push(format!("The {what} is {word}: {}.", rust_doc(detail.trim_end_matches('.'))));
+    }
+    lines
+}
+
+fn errata(entry: &Entry, model: &Model) -> Vec<String> {
+    let of = |e: &&crate::model::Erratum| e.address == Some(entry.address);
+    let line = |e: &crate::model::Erratum| {
+        let used = e.set.as_ref().map_or_else(|| "kept".to_owned(), |set| format!("used {}", rust_doc(set)));
+        format!(
+            "Erratum {}, {}: printed {}, {used}. {}",
+            rust_doc(&e.id),
+            rust_doc(&e.field),
+            rust_doc(&e.was),
+            rust_doc(&e.why)
+        )
+    };
+    let lines: Vec<String> = model.errata.as_slice().iter().filter(of).map(line).collect();
+    // Each stands on its own.
+    lines.into_iter().flat_map(|l| [String::new(), l]).collect()
+}

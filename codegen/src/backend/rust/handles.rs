@@ -1,0 +1,53 @@
+//! `od.rs`: a typed const handle for each entry.
+
+use std::fmt::Write;
+
+use super::docs;
+use super::lower::{Handle, Lowered, imports};
+use super::number::grouped;
+use crate::emit::escape::one_line;
+use crate::model::{Entry, ObjectKind};
+
+pub(super) fn body(lowered: &Lowered<'_>) -> String {
+    let mut out = imports(lowered.handles.iter().map(|h| h.ty.as_str()), &[]);
+    out.push_str("use drivewright_runtime::prelude::*;\n");
+    for (_, object) in lowered.model.objects.iter() {
+        if object.kind.value != ObjectKind::Var {
+            let name = one_line(object.name.value.original());
+            let _ = write!(out, "\n// {:04X}h {name}\n", object.index);
+        }
+        for id in &object.entries {
+            handle(&mut out, &lowered.model.entries[*id], lowered.handle_of(*id), lowered);
+        }
+    }
+    out
+}
+
+fn handle(out: &mut String, entry: &Entry, handle: &Handle, lowered: &Lowered<'_>) {
+    out.push('\n');
+    out.push_str(&docs::comment("", &docs::entry(entry, lowered.model)));
+    let index = entry.address.index;
+    let _ = writeln!(out, "#[doc(alias = \"{index:04X}\")]");
+    let Handle { name, ty, access, mapping, quantity, .. } = handle;
+    let value =
+        format!("Object::new(0x{index:04X}, 0x{:02X}){}{}", entry.address.sub, range(handle), scale(entry));
+    let start = format!("pub const {name}: Object<{ty}, {access}, {mapping}, {quantity}> =");
+    // As rustfmt breaks it at 100 columns.
+    let gap = if start.len() + value.len() + 2 > 100 { "\n    " } else { " " };
+    let _ = writeln!(out, "{start}{gap}{value};");
+}
+
+fn range(handle: &Handle) -> String {
+    let Some((min, max)) = handle.range else { return String::new() };
+    let side = |n: Option<i128>, none: &str| n.map_or_else(|| none.to_owned(), grouped);
+    format!(".range({}, {})", side(min, "i64::MIN"), side(max, "i64::MAX"))
+}
+
+fn scale(entry: &Entry) -> String {
+    match &entry.unit {
+        Some(unit) if (unit.value.num, unit.value.den) != (1, 1) => {
+            format!(".scale({}, {})", grouped(unit.value.num.into()), grouped(unit.value.den.into()))
+        }
+        _ => String::new(),
+    }
+}

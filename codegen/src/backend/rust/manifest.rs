@@ -1,0 +1,109 @@
+//! `Cargo.toml`, `README.md` and `lib.rs` of the crate.
+
+use minijinja::{Environment, UndefinedBehavior};
+use quote::{format_ident, quote};
+use serde::Serialize;
+
+use super::lower::Lowered;
+use super::{Module, items};
+use crate::emit::escape::{markdown, one_line};
+use crate::model::{Address, Model};
+
+/// What the templates may name. Everything is escaped for Markdown; TOML strings are escaped by the template.
+#[derive(Serialize)]
+struct Context {
+    package: String,
+    module: String,
+    version: String,
+    vendor: String,
+    name: String,
+    manuals: Vec<String>,
+    objects: usize,
+    entries: usize,
+    alarms: usize,
+    pdos: usize,
+    errata: Vec<String>,
+    identity: Vec<String>,
+    example: Option<String>,
+}
+
+/// The manifest. Ids and versions are checked when they are read, so that they need no escaping.
+pub(super) fn cargo_toml(model: &Model) -> String {
+    let context = Context {
+        vendor: toml_text(&model.drive.vendor),
+        name: toml_text(&model.drive.name),
+        ..context(model)
+    };
+    render(include_str!("res/Cargo.toml.j2"), &context)
+}
+
+fn toml_text(text: &str) -> String {
+    one_line(text).replace('\\', "\\\\").replace('"', "\\\"")
+}
+
+pub(super) fn readme(lowered: &Lowered<'_>) -> String {
+    let first = lowered.handles.iter().find(|h| h.access == "Rw" && h.ty == "u32" && h.range.is_some());
+    let example = first.map(|h| h.name.clone());
+    render(include_str!("res/README.md.j2"), &Context { example, ..context(lowered.model) })
+}
+
+fn render(template: &str, context: &Context) -> String {
+    let mut environment = Environment::new();
+    environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    let rendered = environment.render_str(template, minijinja::value::Serde(context));
+    // The templates are part of this crate and tested; what is wrong with one shows in the file.
+    rendered.map_or_else(|error| format!("{error}\n"), |text| text.trim_end().to_owned() + "\n")
+}
+
+fn context(model: &Model) -> Context {
+    let drive = &model.drive;
+    let manual = |m: &crate::model::Manual| format!("{}, {}", markdown(&m.title), markdown(&m.version));
+    let erratum = |e: &crate::model::Erratum| {
+        let used = e.set.as_ref().map_or_else(|| "kept".to_owned(), |s| format!("used {}", markdown(s)));
+        format!(
+            "**{}** {} `{}`: printed {}, {used} ({}). {}",
+            markdown(&e.id),
+            markdown(&e.at),
+            e.field,
+            markdown(&e.was),
+            e.sure.word(),
+            markdown(&e.why)
+        )
+    };
+    let known =
+        |sub, what: &str| model.default_int(Address::new(0x1018, sub)).map(|n| format!("{what} `{n:08X}h`"));
+    Context {
+        package: drive.package.clone(),
+        module: drive.package.replace('-', "_"),
+        version: drive.crate_version.clone(),
+        vendor: markdown(&drive.vendor),
+        name: markdown(&drive.name),
+        manuals: model.manuals.iter().map(manual).collect(),
+        objects: model.objects.len(),
+        entries: model.entries.len(),
+        alarms: model.alarms.len(),
+        pdos: model.pdos.len(),
+        errata: model.errata.as_slice().iter().map(erratum).collect(),
+        identity: [known(1, "vendor"), known(2, "product"), known(3, "revision")]
+            .into_iter()
+            .flatten()
+            .collect(),
+        example: None,
+    }
+}
+
+/// The crate's root. Its documentation is the README, whose example is run as a test.
+pub(super) fn lib(preamble: &str, modules: &[Module]) -> String {
+    let names: Vec<_> = modules.iter().map(|m| format_ident!("{}", m.name)).collect();
+    let body = items::items(&quote! {
+        #![doc = include_str!("../README.md")]
+        #![no_std]
+        #![forbid(unsafe_code)]
+        #![deny(missing_docs)]
+        #![doc(html_no_source)]
+        // Rows are one fact a line, however long.
+        #(#[rustfmt::skip] pub mod #names;)*
+        pub use table::MODEL;
+    });
+    format!("{preamble}\n{body}")
+}

@@ -1,0 +1,194 @@
+//! `table.rs`: the drive as data.
+
+use std::fmt::Write;
+
+use quote::{format_ident, quote};
+
+use super::items;
+use super::lower::{Lowered, access, meaning_of, quantity, units};
+use super::number::grouped;
+use crate::emit::escape::rust_str;
+use crate::model::{Address, BitField, BitsDef, Direction, Entry, Fact, Id, Model, Pdo, Type, Unit, Value};
+
+pub(super) fn body(lowered: &Lowered<'_>) -> String {
+    let model = lowered.model;
+    let mut out = items::items(&quote! {
+        use super::alarms::ALARMS;
+        use drivewright_runtime::prelude::*;
+    });
+    let units = units(model);
+    out.push_str(&items::table("Units.", "UNITS", "UnitDesc", units.iter().map(|u| unit(u))));
+    let rows = model.entries.iter().map(|(_, e)| object(e, &units));
+    out.push_str(&items::table("Entries of the dictionary, by address.", "OBJECTS", "ObjectDesc", rows));
+    let rows = model.entries.iter().filter_map(|(_, e)| allowed(e));
+    out.push_str(&items::table(
+        "Entries that take listed values only, by address.",
+        "ALLOWED",
+        "Allowed",
+        rows,
+    ));
+    let rows = model.entries.iter().filter_map(|(_, e)| text(e));
+    out.push_str(&items::table("Entries whose default is a text, by address.", "TEXTS", "TextDefault", rows));
+    let rows = lowered.enums.iter().map(|e| format!("super::enums::{}::DESC", e.name));
+    out.push_str(&items::table("Tables of named values.", "ENUMS", "EnumDesc", rows));
+    let rows = model.bits.iter().map(|(_, b)| bit_table(b));
+    out.push_str(&items::table("Tables of named bits.", "BIT_FIELDS", "BitFieldDesc", rows));
+    let rows = model
+        .pdos
+        .iter()
+        .zip(&lowered.layouts)
+        .map(|(p, l)| pdo(p, (!l.fields.is_empty()).then_some(&l.name), model));
+    out.push_str(&items::table("Process data as the drive ships, by index.", "PDOS", "PdoDesc", rows));
+    out.push('\n');
+    out.push_str(&whole(model));
+    out
+}
+
+fn unit(unit: &Unit) -> String {
+    let kind = quantity(unit.quantity);
+    format!(
+        "UnitDesc::new(\"{}\", QuantityKind::{kind}, {}, {})",
+        rust_str(&unit.text),
+        grouped(unit.num.into()),
+        grouped(unit.den.into())
+    )
+}
+
+fn address(at: Address) -> String {
+    format!("Address::new(0x{:04X}, 0x{:02X})", at.index, at.sub)
+}
+
+fn object(entry: &Entry, units: &[&Unit]) -> String {
+    let mapping = match entry.mapping.as_ref().map(|m| (m.value.rx, m.value.tx)) {
+        None => "NotStated",
+        Some((false, false)) => "Unmapped",
+        Some((true, false)) => "Rx",
+        Some((false, true)) => "Tx",
+        Some((true, true)) => "RxTx",
+    };
+    let mut row = format!(
+        "ObjectDesc::new({}, DataType::{}, Access::{}, Mapping::{mapping}, \"{}\")",
+        address(entry.address),
+        entry.ty.value.cia301_name(),
+        access(entry),
+        rust_str(&entry.name.value)
+    );
+    if entry.min.is_some() || entry.max.is_some() {
+        let side =
+            |f: Option<&Fact<i128>>, none: &str| f.map_or_else(|| none.to_owned(), |f| pattern(f.value));
+        let _ = write!(
+            row,
+            ".range({}, {})",
+            side(entry.min.as_ref(), "i64::MIN"),
+            side(entry.max.as_ref(), "i64::MAX")
+        );
+    }
+    if let Some(default) = entry.default_int() {
+        let _ = write!(row, ".default_int({})", default_literal(entry, default.value));
+    }
+    if let Some(place) = entry.unit.as_ref().and_then(|u| units.iter().position(|v| **v == u.value)) {
+        let _ = write!(row, ".unit({place})");
+    }
+    match meaning_of(entry) {
+        (Some(values), _) => drop(write!(row, ".values({})", values.place())),
+        (None, Some(bits)) => drop(write!(row, ".bits({})", bits.place())),
+        (None, None) => {}
+    }
+    row
+}
+
+/// Words that are no quantity, such as mapping words and product codes, are read in hexadecimal.
+fn default_literal(entry: &Entry, n: i128) -> String {
+    let word = entry.unit.is_none() && entry.ty.value == Type::int(false, 32) && n > 0xFFFF;
+    if word { format!("0x{:04X}_{:04X}", n >> 16, n & 0xFFFF) } else { pattern(n) }
+}
+
+/// A number as the tables hold it: values of UNSIGNED64 above 63 bits as their bit pattern.
+fn pattern(n: i128) -> String {
+    let wrapped = if n > i128::from(i64::MAX) { n - (1 << 64) } else { n };
+    grouped(wrapped)
+}
+
+fn allowed(entry: &Entry) -> Option<String> {
+    let list: Vec<String> = entry.allow.as_ref()?.value.iter().map(|n| pattern(*n)).collect();
+    Some(format!("Allowed::new({}, &[{}])", address(entry.address), list.join(", ")))
+}
+
+fn text(entry: &Entry) -> Option<String> {
+    match &entry.default.as_ref()?.value {
+        Value::Text(text) => {
+            Some(format!("TextDefault::new({}, \"{}\")", address(entry.address), rust_str(text)))
+        }
+        Value::Int(_) => None,
+    }
+}
+
+fn bit_table(table: &BitsDef) -> String {
+    let bit = |f: &BitField| {
+        let mode = f.mode.map_or_else(String::new, |m| format!(".in_mode({m})"));
+        format!("        BitDesc::new({}, {}, \"{}\"){mode},\n", f.bit, f.width, rust_str(&f.printed))
+    };
+    let bits: String = table.fields.iter().map(bit).collect();
+    format!("BitFieldDesc::new(\"{}\", &[\n{bits}    ])", rust_str(table.name.original()))
+}
+
+fn pdo(pdo: &Pdo, layout: Option<&String>, model: &Model) -> String {
+    let direction = if pdo.direction == Direction::Rx { "Rx" } else { "Tx" };
+    let mapping = layout.map_or_else(|| mapping(pdo, model), |name| format!("&super::pdo::{name}::MAPPING"));
+    let mut row =
+        format!("PdoDesc::new({}, Direction::{direction}, {mapping})", address(Address::new(pdo.index, 0)));
+    if let Some(most) = &model.drive.limits.pdo_entries {
+        let _ = write!(row, ".with_max_entries({})", most.value);
+    }
+    if let Some(most) = &model.drive.limits.pdo_bytes {
+        let _ = write!(row, ".with_max_bytes({})", grouped(most.value.into()));
+    }
+    row
+}
+
+/// The mapping of a PDO without a typed layout.
+fn mapping(pdo: &Pdo, model: &Model) -> String {
+    let entry = |e: &crate::model::PdoEntry| {
+        format!("MapEntry::new({}, {})", address(model.entries[e.entry].address), e.bits.value)
+    };
+    let entries: Vec<String> = pdo.entries.iter().map(entry).collect();
+    format!("&[{}]", entries.join(", "))
+}
+
+/// The static that holds all tables together.
+fn whole(model: &Model) -> String {
+    let drive = &model.drive;
+    let (id, vendor, name) = (&drive.id, &drive.vendor, &drive.name);
+    let known = |sub: u8, method: &str| {
+        let number = model.default_int(Address::new(0x1018, sub)).and_then(|n| u32::try_from(n).ok())?;
+        let method = format_ident!("{method}");
+        // Identity is read in hexadecimal.
+        let number: proc_macro2::Literal = format!("0x{number:08X}").parse().ok()?;
+        Some(quote! { .#method(#number) })
+    };
+    let identity: Vec<_> =
+        [known(1, "with_vendor_id"), known(2, "with_product_code"), known(3, "with_revision")]
+            .into_iter()
+            .flatten()
+            .collect();
+    items::items(&quote! {
+        /// The whole drive.
+        pub static MODEL: DriveModel<'static> = DriveModel::new(Identity::new(#id, #vendor, #name) #(#identity)*)
+            .with_objects(&OBJECTS)
+            .with_units(&UNITS)
+            .with_allowed(&ALLOWED)
+            .with_texts(&TEXTS)
+            .with_enums(&ENUMS)
+            .with_bit_fields(&BIT_FIELDS)
+            .with_pdos(&PDOS)
+            .with_alarms(&ALARMS);
+
+        #[cfg(test)]
+        mod tests {
+            #[test]
+            fn the_tables_fit_together() {
+                assert_eq!(super::MODEL.check(), Ok(()));
+            }
+        }
+    })
+}
