@@ -179,7 +179,7 @@ fn explain(wanted: &str) -> End {
     if let Some(lint) = LINTS.iter().find(|l| l.code.id() == wanted) {
         return print(lint.page);
     }
-    if let Some(code) = code::ALL.iter().find(|c| c.id() == wanted) {
+    if let Some(code) = plain_codes().find(|c| c.id() == wanted) {
         let text = format!(
             "# {}: {}\n\nSeverity: {}.\n\nThe finding itself says where, why and what to do.\n",
             code.id(),
@@ -192,9 +192,13 @@ fn explain(wanted: &str) -> End {
     End::Usage
 }
 
+/// The codes without a page: those of the stages before the lints, and those of the backends.
+fn plain_codes() -> impl Iterator<Item = Code> {
+    code::ALL.iter().copied().chain(backend::ALL.iter().flat_map(|b| b.codes()).copied())
+}
+
 fn codes() -> String {
-    let lints = LINTS.iter().map(|l| l.code);
-    let mut codes: Vec<_> = code::ALL.iter().copied().chain(lints).collect();
+    let mut codes: Vec<_> = plain_codes().chain(LINTS.iter().map(|l| l.code)).collect();
     codes.sort_by_key(|c| c.id()[1..].to_owned());
     let line = |c: &Code| format!("{}  {:<7}  {}", c.id(), c.severity().word(), c.title());
     codes.iter().map(line).collect::<Vec<_>>().join("\n") + "\n"

@@ -20,7 +20,7 @@ mod write;
 pub use loss::{LIMITS, PLACE, SHAPE, TEXT, VALUE};
 
 use super::Backend;
-use crate::diag::{Diagnostic, Sink};
+use crate::diag::{Code, Diagnostic, Sink};
 use crate::emit::FileSet;
 use crate::model::Model;
 use crate::source::Span;
@@ -31,6 +31,10 @@ pub struct Eds;
 impl Backend for Eds {
     fn id(&self) -> &'static str {
         "eds"
+    }
+
+    fn codes(&self) -> &'static [Code] {
+        &[VALUE, LIMITS, PLACE, SHAPE, TEXT]
     }
 
     fn emit(&self, model: &Model, out: &mut FileSet, sink: &mut Sink) {
