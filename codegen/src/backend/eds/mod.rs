@@ -1,4 +1,4 @@
-//! The CANopen electronic data sheet (CiA 306 v1.3) in the flavour that every known reader takes.
+//! The CANopen electronic data sheet (CiA 306 v1.3) in the flavour on which its readers agree.
 //!
 //! What that flavour is: ASCII, CR/LF, every key of `FileInfo` and `DeviceInfo`, the access words `ro rw wo const`,
 //! signed numbers in decimal, and no default where readers disagree about its form. [`lower`] decides what the sheet
