@@ -6,6 +6,7 @@
 
 mod judges;
 mod regen;
+mod snapshots;
 mod test;
 mod tidy;
 
@@ -26,6 +27,7 @@ Commands:
   tidy               check what no other tool knows
 
 Options:
+      --root DIR     work on another checkout
   -q, --quiet        say only what is wrong
   -h, --help         show this
 
@@ -44,6 +46,7 @@ pub struct Options {
     diff: bool,
     full: bool,
     quiet: bool,
+    root: Option<PathBuf>,
     drives: Vec<String>,
 }
 
@@ -72,7 +75,7 @@ fn main() -> ExitCode {
 }
 
 fn run(command: &str, options: &Options) -> End {
-    let root = root();
+    let root = options.root.clone().unwrap_or_else(root);
     match command {
         "regen" => regen::run(&root, options),
         "test" => test::run(&root, options),
@@ -99,6 +102,7 @@ fn parse() -> Result<Option<(String, Options)>, lexopt::Error> {
             Long("check") => options.check = true,
             Long("diff") => options.diff = true,
             Long("full") => options.full = true,
+            Long("root") => options.root = Some(args.value()?.into()),
             Value(value) if command.is_none() => command = Some(value.string()?),
             Value(value) => options.drives.push(value.string()?),
             other => return Err(other.unexpected()),

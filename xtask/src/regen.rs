@@ -218,8 +218,10 @@ fn strays(root: &Path, packages: &[String], options: &Options) -> End {
         }
         if options.check || options.diff {
             println!("orphaned: generated/{name}/ (no profile makes it)");
-            println!("run `cargo xtask regen` and commit the result");
-            end = End::Findings;
+            if options.check {
+                println!("run `cargo xtask regen` and commit the result");
+                end = End::Findings;
+            }
         } else if let Err(error) = fs::remove_dir_all(&folder) {
             return disk(&error);
         } else {

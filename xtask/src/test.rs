@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-use crate::{End, Options, judges};
+use crate::{End, Options, judges, snapshots};
 
 /// What became of a step.
 pub enum Outcome {
@@ -23,10 +23,11 @@ pub struct Step {
 /// Runs every step.
 pub fn run(root: &Path, options: &Options) -> End {
     let mut steps = Vec::new();
+    snapshots::forget(root);
     for (name, program, args, folder) in COMMANDS {
-        let folder = root.join(folder);
-        step(&mut steps, name, options, || command(program, args, &folder, options));
+        step(&mut steps, name, options, || command(program, args, root, folder, options));
     }
+    step(&mut steps, "every snapshot is referenced", options, || snapshots::unreferenced(root));
     judges::run(root, options.quiet, &mut |name, judge| step(&mut steps, name, options, judge));
     summary(&steps)
 }
@@ -42,6 +43,7 @@ const COMMANDS: &[Run] = &[
     ("clippy of xtask", "cargo", &["clippy", "--all-targets", "--quiet", "--", "-D", "warnings"], "xtask"),
     ("generated files are fresh", "cargo", &["xtask", "regen", "--check"], "."),
     ("tests", "cargo", &["test", "--workspace", "--quiet"], "."),
+    ("tests of xtask", "cargo", &["test", "--quiet"], "xtask"),
     ("documentation", "cargo", &["doc", "--workspace", "--no-deps", "--quiet"], "."),
     ("tidy", "cargo", &["xtask", "tidy"], "."),
 ];
@@ -59,9 +61,11 @@ fn step(steps: &mut Vec<Step>, name: &str, options: &Options, run: impl FnOnce()
     steps.push(Step { name: name.to_owned(), outcome, time });
 }
 
-fn command(program: &str, args: &[&str], folder: &Path, options: &Options) -> Outcome {
+fn command(program: &str, args: &[&str], root: &Path, folder: &str, options: &Options) -> Outcome {
+    let folder = root.join(folder);
     let mut command = Command::new(program);
     command.args(args).current_dir(folder).env("INSTA_UPDATE", "no").env("RUSTDOCFLAGS", "-D warnings");
+    command.env(snapshots::VARIABLE, snapshots::references(root));
     if options.quiet {
         command.stdout(std::process::Stdio::null());
     }
