@@ -33,6 +33,10 @@ pub fn run(root: &Path, quiet: bool, step: &mut dyn FnMut(&str, &mut dyn FnMut()
             outcome
         }
     });
+    step("schemas", &mut || match &python {
+        Ok(python) => ask(python, &judges.join("schemas.py"), root, false, quiet),
+        Err(why) => Outcome::Skipped(why.clone()),
+    });
     let files = data_sheets(root);
     if files.is_empty() {
         step("judges of EDS", &mut || Outcome::Skipped("there is no EDS below generated/".to_owned()));

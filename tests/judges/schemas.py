@@ -1,0 +1,86 @@
+"""Lets jsonschema judge profiles and model.json by their schemas. Usage: schemas.py ROOT"""
+
+import copy
+import json
+import sys
+from pathlib import Path
+
+import jsonschema
+
+try:
+    import tomllib
+except ImportError:  # before Python 3.11
+    import tomli as tomllib
+
+# Broken copies of a whole profile: what is changed, and how.
+OF_PROFILES = [
+    ("key that is missing", lambda p: p["objects"][0].pop("at")),
+    ("key that nobody knows", lambda p: p["objects"][0].update(nmae="x")),
+    ("word", lambda p: p["objects"][0].update(access="rx")),
+    ("type", lambda p: p["objects"][0].update(type="u17")),
+    ("address", lambda p: p["objects"][0].update(at="0x6040")),
+    ("number", lambda p: p["pdo"][0].update(map=65536)),
+    ("kind of value", lambda p: p["objects"][0].update(name=5)),
+    ("table", lambda p: p.update(objcets=[])),
+]
+
+
+def first_fact(node):
+    """The first value that has a class: the shape of every fact."""
+    if isinstance(node, dict):
+        if "class" in node:
+            return node
+        node = list(node.values())
+    if isinstance(node, list):
+        return next(filter(None, map(first_fact, node)), None)
+    return None
+
+
+OF_MODELS = [
+    ("format", lambda m: m.update(format="1")),
+    ("table that is missing", lambda m: m.pop("objects")),
+    ("table that nobody knows", lambda m: m.update(objcets=[])),
+    ("class of a fact", lambda m: first_fact(m).update({"class": "guessed"})),
+]
+
+
+def findings(schema, value):
+    """What is wrong with a value, with the place."""
+    validator = jsonschema.Draft7Validator(schema)
+    return [f"{'/'.join(map(str, e.absolute_path))}: {e.message[:200]}" for e in validator.iter_errors(value)]
+
+
+def judge(name, schema, value, changes):
+    """Whether the value fits, and no broken copy of it does."""
+    found = findings(schema, value)
+    for finding in found:
+        print(f"{name}: {finding}")
+    missed = []
+    for kind, change in changes:
+        broken = copy.deepcopy(value)
+        change(broken)
+        if not findings(schema, broken):
+            missed.append(kind)
+            print(f"{name}: a copy with another {kind} is accepted")
+    print(f"{name}: {len(found)} findings; broken copies refused: {', '.join(k for k, _ in changes if k not in missed)}")
+    return not found and not missed
+
+
+def main(root):
+    schemas = {}
+    for kind in ("profile", "model"):
+        schemas[kind] = json.loads(Path(root, f"codegen/schema/{kind}.schema.json").read_text("utf-8"))
+        jsonschema.Draft7Validator.check_schema(schemas[kind])
+    good = []
+    for drive in sorted(Path(root, "profiles").glob("*/*/drive.toml")):
+        tables = {}
+        for file in sorted(drive.parent.glob("*.toml")):
+            tables.update(tomllib.loads(file.read_text("utf-8")))
+        good.append(judge(drive.parent.name, schemas["profile"], tables, OF_PROFILES))
+    for model in sorted(Path(root, "generated").glob("*/model.json")):
+        good.append(judge(f"{model.parent.name}/model.json", schemas["model"], json.loads(model.read_text("utf-8")), OF_MODELS))
+    return 0 if good and all(good) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))
