@@ -79,6 +79,8 @@ def main(root):
         good.append(judge(drive.parent.name, schemas["profile"], tables, OF_PROFILES))
     for model in sorted(Path(root, "generated").glob("*/model.json")):
         good.append(judge(f"{model.parent.name}/model.json", schemas["model"], json.loads(model.read_text("utf-8")), OF_MODELS))
+    for model in sorted(Path(root, "tests/golden").glob("*/out/model.snap.json")):
+        good.append(judge(model.parent.parent.name, schemas["model"], json.loads(model.read_text("utf-8")), []))
     return 0 if good and all(good) else 1
 
 

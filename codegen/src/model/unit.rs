@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::limits;
 
-/// What is measured. The base unit of each is the one that `BASE` names.
+/// What is measured. The base unit of each is the one that [`Quantity::base`] names.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Quantity {
     /// Position in user units, which depend on the gear objects of the drive.
@@ -93,6 +93,12 @@ const SYMBOLS: &[(&str, Quantity, u32, u32)] = &[
 ];
 
 impl Quantity {
+    /// Symbol of its base unit; `1` for a bare share.
+    pub fn base(self) -> &'static str {
+        let base = SYMBOLS.iter().find(|(_, quantity, num, den)| *quantity == self && *num == *den);
+        base.map_or("1", |b| b.0)
+    }
+
     /// Name of the marker type in the runtime, in words.
     pub fn name(self) -> &'static str {
         match self {
@@ -234,6 +240,14 @@ mod tests {
         let unit = Unit::parse("1/65536 rev").unwrap();
         assert_eq!((unit.num, unit.den), (1, 65_536));
         assert_eq!(Unit::parse("user position").unwrap().quantity, Quantity::UserPosition);
+    }
+
+    #[test]
+    fn base_units() {
+        assert_eq!(Unit::parse("60 deg").unwrap().quantity.base(), "rev");
+        assert_eq!(Unit::parse("rev/s").unwrap().quantity.base(), "rpm");
+        assert_eq!(Unit::parse("mH").unwrap().quantity.base(), "H");
+        assert_eq!(Unit::parse("%").unwrap().quantity.base(), "1");
     }
 
     #[test]

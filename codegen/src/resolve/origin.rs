@@ -56,12 +56,12 @@ impl<'a> Says<'a> {
             return Origin { class, span, cite, erratum: None };
         };
         let erratum = &self.errata[fix.erratum];
-        let corrected = || Some(erratum.by.as_ref().unwrap_or(&erratum.seen).value.clone());
-        Origin {
-            class: Class::Stated,
-            span,
-            cite: if fix.set { corrected() } else { cite },
-            erratum: Some(ErratumId::at(fix.erratum)),
-        }
+        let (class, cite) = match (&erratum.by, fix.set) {
+            (_, false) => (Class::Stated, cite),
+            (Some(by), true) => (Class::Stated, Some(by.value.clone())),
+            // Nothing prints the corrected value: it follows from the reason.
+            (None, true) => (Class::Inferred(erratum.why.value.0.clone()), Some(erratum.seen.value.clone())),
+        };
+        Origin { class, span, cite, erratum: Some(ErratumId::at(fix.erratum)) }
     }
 }

@@ -126,6 +126,7 @@ fn entry<'m>(model: &'m Model, entry: &'m model::Entry) -> Entry<'m> {
         values: maybe(model, entry.values.as_ref(), |id| model.enums[*id].name.original()),
         bits: maybe(model, entry.bits.as_ref(), |id| model.bits[*id].name.original()),
         text: entry.text.as_deref(),
+        note: entry.note.as_deref(),
         deviation: entry.deviation.as_deref(),
     }
 }
@@ -143,7 +144,13 @@ fn default<'m>(
 }
 
 fn unit(unit: &model::Unit) -> Unit<'_> {
-    Unit { text: &unit.text, quantity: Word(unit.quantity), num: unit.num, den: unit.den }
+    Unit {
+        text: &unit.text,
+        quantity: Word(unit.quantity),
+        base: unit.quantity.base(),
+        num: unit.num,
+        den: unit.den,
+    }
 }
 
 fn enumeration<'m>(model: &'m Model, table: &'m model::EnumDef) -> Enum<'m> {

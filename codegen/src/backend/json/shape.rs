@@ -187,16 +187,20 @@ shapes! {
         bits "bits": optional Known<'m, &'m str>,
         /// What it is for.
         text "text": optional &'m str,
+        /// A remark for the reader.
+        note "note": optional &'m str,
         /// Why it may differ from the standard object.
         deviation "deviation": optional &'m str,
     }
 
-    /// One raw count is `num / den` base units of the quantity. A count of `0.1 rpm` has `num` 1, `den` 10.
+    /// One raw count is `num / den` base units. A count of `0.1 rpm` has `num` 1, `den` 10 and base unit `rpm`.
     Unit<'m> {
         /// As the profile writes it.
         text "text": required &'m str,
         /// What is measured.
         quantity "quantity": required Word<Quantity>,
+        /// Symbol of the base unit; `1` for a bare share.
+        base "base_unit": required &'m str,
         /// Numerator, not 0.
         num "num": required u32,
         /// Denominator, not 0.

@@ -1,7 +1,7 @@
 //! Doc comments: what a reader of the generated crate wants to know of an entry, with who says so.
 
 use crate::emit::escape::rust_doc;
-use crate::model::{Class, Entry, Fact, Model, Origin, Value};
+use crate::model::{Cite, Class, Entry, Fact, Model, Origin, Value};
 
 /// Writes `text` as doc comment lines; an empty text is an empty line.
 pub(super) fn comment(indent: &str, lines: &[String]) -> String {
@@ -63,9 +63,8 @@ fn values(entry: &Entry) -> Option<String> {
 
 /// Where the manual says it, and what it does not say itself.
 fn said(entry: &Entry) -> Vec<String> {
-    let mut lines = Vec::new();
-    lines.extend(entry.name.origin.cite.as_ref().map(|c| format!("Manual: {}.", rust_doc(&c.to_string()))));
-    let facts: [(&str, Option<&Origin>); 9] = [
+    let facts: [(&'static str, Option<&Origin>); 9] = [
+        ("name", Some(&entry.name.origin)),
         ("type", Some(&entry.ty.origin)),
         ("access", Some(&entry.access.origin)),
         ("mapping", entry.mapping.as_ref().map(|f| &f.origin)),
@@ -74,13 +73,27 @@ fn said(entry: &Entry) -> Vec<String> {
         ("maximum", entry.max.as_ref().map(|f| &f.origin)),
         ("allowed values", entry.allow.as_ref().map(|f| &f.origin)),
         ("default", entry.default.as_ref().map(|f| &f.origin)),
-        ("name", Some(&entry.name.origin)),
     ];
+    let mut lines = cited(&facts);
     for (what, origin) in facts {
         let Some(origin) = origin.filter(|o| !matches!(o.class, Class::Stated)) else { continue };
         let (word, detail) = (origin.class.word(), origin.class.detail().unwrap_or_default());
         lines.push(format!("The {what} is {word}: {}.", rust_doc(detail.trim_end_matches('.'))));
     }
+    lines
+}
+
+/// The place of the row, and that of each value that stands elsewhere.
+fn cited<'o>(facts: &[(&'static str, Option<&'o Origin>)]) -> Vec<String> {
+    let cite =
+        |(what, origin): &(&'static str, Option<&'o Origin>)| Some((*what, origin.as_ref()?.cite.as_ref()?));
+    let cites: Vec<(&str, &Cite)> = facts.iter().filter_map(cite).collect();
+    let Some((_, row)) = cites.first() else { return Vec::new() };
+    let mut lines = vec![format!("Manual: {}.", rust_doc(&row.to_string()))];
+    let elsewhere = cites.iter().filter(|(_, cite)| cite != row);
+    lines.extend(
+        elsewhere.map(|(what, cite)| format!("Manual, the {what}: {}.", rust_doc(&cite.to_string()))),
+    );
     lines
 }
 

@@ -10,7 +10,9 @@ use crate::model::{Entry, ObjectKind};
 
 pub(super) fn body(lowered: &Lowered<'_>) -> String {
     let mut out = imports(lowered.handles.iter().map(|h| h.ty.as_str()), &[]);
-    out.push_str("use drivewright_runtime::prelude::*;\n");
+    if !lowered.model.entries.is_empty() {
+        out.push_str("use drivewright_runtime::prelude::*;\n");
+    }
     for (_, object) in lowered.model.objects.iter() {
         if object.kind.value != ObjectKind::Var {
             let name = one_line(object.name.value.original());

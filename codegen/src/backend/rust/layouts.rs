@@ -25,7 +25,11 @@ pub(super) fn body(lowered: &Lowered<'_>) -> String {
 
 fn one(out: &mut String, pdo: &Pdo, layout: &Layout, lowered: &Lowered<'_>) {
     let (word, verb) = if pdo.direction == Direction::Rx { ("Rx", "receives") } else { ("Tx", "sends") };
-    let text = format!("{}PDO `{:04X}`: {} bytes that the drive {verb}.", word, pdo.index, pdo.bits() / 8);
+    let bytes = match pdo.bits() / 8 {
+        1 => "1 byte".to_owned(),
+        n => format!("{n} bytes"),
+    };
+    let text = format!("{word}PDO `{:04X}`: {bytes} that the drive {verb}.", pdo.index);
     let limits = &lowered.model.drive.limits;
     let entries =
         limits.pdo_entries.as_ref().map_or_else(String::new, |n| format!(", entries <= {}", n.value));
@@ -35,8 +39,7 @@ fn one(out: &mut String, pdo: &Pdo, layout: &Layout, lowered: &Lowered<'_>) {
     let mut byte = 0;
     for (mapped, field) in pdo.entries.iter().zip(&layout.fields) {
         let (handle, entry) = (lowered.handle_of(mapped.entry), &lowered.model.entries[mapped.entry]);
-        let place =
-            format!("{}, from byte {byte}.{}", rust_doc(&entry.name.value), source(&mapped.bits.origin));
+        let place = format!("{}, from byte {byte}.{}", rust_doc(&entry.name.value), source(&mapped.origin));
         out.push_str(&comment("        ", &[place]));
         let _ = writeln!(out, "        {field}: {} = od::{},", handle.ty, handle.name);
         byte += u32::from(mapped.bits.value) / 8;

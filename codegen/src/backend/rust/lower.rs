@@ -233,11 +233,13 @@ pub(super) fn quantity(of: Quantity) -> &'static str {
     }
 }
 
-/// Limits as a handle holds them: i64, and both ends of it stand for `not stated`.
+/// Limits as a handle holds them: i64, and both ends of it stand for `not stated`. What the type sets by itself is no loss.
 fn range(entry: &Entry, sink: &mut Sink) -> Option<(Option<i128>, Option<i128>)> {
     let (min, max) = (entry.min.as_ref().map(|f| f.value), entry.max.as_ref().map(|f| f.value));
     let fits = |n: &i128| (i128::from(i64::MIN) + 1..i128::from(i64::MAX)).contains(n);
-    let wide = [min, max].iter().flatten().any(|n| *n >= i128::from(i64::MAX));
+    let ends = entry.ty.value.range();
+    let wide =
+        [min, max].iter().flatten().any(|n| *n >= i128::from(i64::MAX) && ends.is_none_or(|e| e.1 != *n));
     if wide {
         sink.push(loss::limit(entry));
     }

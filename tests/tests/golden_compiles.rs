@@ -1,0 +1,80 @@
+//! The Rust that golden cases give compiles without a warning, all of it as modules of one crate, and its own tests pass.
+
+#![allow(clippy::expect_used, clippy::panic, clippy::disallowed_methods, reason = "a test builds a crate")]
+
+use std::fmt::Write;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use drivewright_codegen::backend::rust::Rust;
+use drivewright_codegen::emit;
+use drivewright_tests::{Case, golden_cases};
+
+/// A crate with a module for each of `cases`; `change` edits what is written into each file.
+fn krate(name: &str, cases: &[Case], change: impl Fn(&str) -> String) -> PathBuf {
+    let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = fs::remove_dir_all(root.join("src"));
+    let runtime = Path::new(env!("CARGO_MANIFEST_DIR")).join("../runtime");
+    let manifest = format!(
+        "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2021\"\n\n[workspace]\n\n[dependencies]\n\
+         drivewright-runtime = {{ path = {:?} }}\n",
+        runtime.display().to_string()
+    );
+    let mut lib =
+        "//! Golden cases.\n#![no_std]\n#![forbid(unsafe_code)]\n#![deny(warnings, missing_docs)]\n"
+            .to_owned();
+    for case in cases {
+        let module = format!("case_{}", case.name.replace('-', "_"));
+        let _ = writeln!(lib, "/// A case.\npub mod {module};");
+        self::module(case, &root.join("src").join(module), &change);
+    }
+    fs::write(root.join("Cargo.toml"), manifest).expect("a manifest");
+    fs::write(root.join("src/lib.rs"), lib).expect("a root");
+    root
+}
+
+/// Writes the modules of a case. Its `lib.rs` becomes `mod.rs`, without what only the root of a crate can say.
+fn module(case: &Case, folder: &Path, change: impl Fn(&str) -> String) {
+    fs::create_dir_all(folder).expect("a folder");
+    let (files, _) = emit(&case.model(), &[&Rust]);
+    let sources = files.iter().filter_map(|(path, bytes)| Some((path.as_str().strip_prefix("src/")?, bytes)));
+    for (path, bytes) in sources {
+        let text = std::str::from_utf8(bytes).expect("UTF-8");
+        let (path, text) = match path {
+            "lib.rs" => {
+                ("mod.rs", text.lines().filter(|l| !l.starts_with("#![")).collect::<Vec<_>>().join("\n"))
+            }
+            other => (other, change(text)),
+        };
+        fs::write(folder.join(path), text).expect("a module");
+    }
+}
+
+/// Builds the crate and runs the tests that generated code carries.
+fn check(root: &Path) -> Output {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut command = Command::new(cargo);
+    command.args(["test", "--quiet", "--offline", "--lib", "--target-dir"]).arg(root.join("target"));
+    // Flags of the surrounding build would build everything anew.
+    command.current_dir(root).env_remove("RUSTFLAGS").env_remove("CARGO_ENCODED_RUSTFLAGS");
+    command.output().expect("cargo starts")
+}
+
+#[test]
+fn golden_rust_compiles_without_warnings() {
+    let root = krate("golden-rust", &golden_cases(), str::to_owned);
+    let output = check(&root);
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert!(output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
+    assert!(said.contains(&format!("{} passed", golden_cases().len())), "{said}");
+}
+
+#[test]
+fn a_warning_would_be_seen() {
+    let case: Vec<Case> = golden_cases().into_iter().filter(|c| c.name == "silence").collect();
+    let unused = |text: &str| text.replacen("pub const SOMETHING", "const SOMETHING", 1);
+    let output = check(&krate("golden-rust-control", &case, unused));
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(!output.status.success() && said.contains("is never used"), "{said}");
+}
