@@ -5,12 +5,14 @@
 
 use std::process::{Command, Output};
 
+use drivewright_tests::skipped;
+
 const MICROCONTROLLER: &str = "thumbv7em-none-eabihf";
 
 #[test]
 fn links_nothing_of_std_on_this_machine() {
     if !cfg!(target_os = "linux") {
-        println!("skipped: the linker flags are those of Linux");
+        skipped("no_std on this machine", "the linker flags are those of Linux");
         return;
     }
     // Without start files there is no `main`; `memcpy` and its kin still come from the C library.
@@ -24,7 +26,8 @@ fn links_nothing_of_std_on_this_machine() {
 #[test]
 fn links_on_a_microcontroller() {
     if !installed(MICROCONTROLLER) {
-        println!("skipped: target {MICROCONTROLLER} is not installed (rustup target add {MICROCONTROLLER})");
+        let why = format!("target {MICROCONTROLLER} is not installed (rustup target add {MICROCONTROLLER})");
+        skipped("no_std on a microcontroller", &why);
         return;
     }
     succeeds(&build(&["--release", "--target", MICROCONTROLLER]));

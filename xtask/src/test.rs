@@ -24,12 +24,27 @@ pub struct Step {
 pub fn run(root: &Path, options: &Options) -> End {
     let mut steps = Vec::new();
     snapshots::forget(root);
+    // There is none before the first run.
+    let _ = std::fs::remove_file(skips(root));
     for (name, program, args, folder) in COMMANDS {
         step(&mut steps, name, options, || command(program, args, root, folder, options));
     }
     step(&mut steps, "every snapshot is referenced", options, || snapshots::unreferenced(root));
     judges::run(root, options.quiet, &mut |name, judge| step(&mut steps, name, options, judge));
+    let skips = std::fs::read_to_string(skips(root)).unwrap_or_default();
+    for (name, why) in skips.lines().filter_map(|l| l.split_once(": ")) {
+        steps.push(Step {
+            name: name.to_owned(),
+            outcome: Outcome::Skipped(why.to_owned()),
+            time: Duration::ZERO,
+        });
+    }
     summary(&steps)
+}
+
+/// Where tests write down what they could not do on this machine, and why.
+fn skips(root: &Path) -> std::path::PathBuf {
+    root.join("target").join("skipped.txt")
 }
 
 /// Name, program, arguments, folder.
@@ -65,7 +80,7 @@ fn command(program: &str, args: &[&str], root: &Path, folder: &str, options: &Op
     let folder = root.join(folder);
     let mut command = Command::new(program);
     command.args(args).current_dir(folder).env("INSTA_UPDATE", "no").env("RUSTDOCFLAGS", "-D warnings");
-    command.env(snapshots::VARIABLE, snapshots::references(root));
+    command.env(snapshots::VARIABLE, snapshots::references(root)).env("DRIVEWRIGHT_SKIPS", skips(root));
     if options.quiet {
         command.stdout(std::process::Stdio::null());
     }

@@ -22,9 +22,9 @@ bit_field! {
         HALT: 8,
         /// New set point, in mode 1. A rising edge hands over the target. (4.2 L441)
         PP_NEW_SET_POINT: 4,
-        /// Change set immediately, in mode 1. 1: the new target takes effect at once, also while the axis moves. (4.2 L440)
+        /// Change set immediately, in mode 1. 1: the new target takes effect at once, also while the axis moves. (4.2 L440 L441)
         PP_CHANGE_SET_IMMEDIATELY: 5,
-        /// ABS/INC, in mode 1. 1: the target is absolute. 0: it is relative to the last one. (4.2 L439)
+        /// ABS/INC, in mode 1. 1: the target is absolute. 0: it is an increment. (4.2 L439)
         ///
         /// Deviates from the standard: CiA 402 means the opposite: 1 is relative. The manual prints the meaning once and nothing in it confirms it; only a device can settle it.
         PP_ABS_INC: 6,
@@ -46,31 +46,33 @@ bit_field! {
         FAULT: 3,
         /// Voltage enabled. The servo is ready. (4.1.3 L348)
         VOLTAGE_ENABLED: 4,
-        /// Quick stop. 0: a quick stop is active. (4.1.3 L349)
+        /// Quick stop. 0: a quick stop is active. (4.1.3 L349 L367)
         QUICK_STOP: 5,
         /// Switch on disabled. (4.1.3 L350)
         SWITCH_ON_DISABLED: 6,
         /// Warning. (4.1.3 L351)
         WARNING: 7,
-        /// Remote. Named without a description. (4.1.3 L353)
+        /// Remote. Its description is empty; the reserved of bit 8 above it may hold for it too. (4.1.3 L352 L353)
         REMOTE: 9,
         /// Target reached, in mode 1. The position deviation is inside the window and the speed is in the zero range. (4.2 L451)
         PP_TARGET_REACHED: 10,
         /// Limiter activation, in mode 1. The position has reached a limit. (4.2 L450)
         PP_LIMITER_ACTIVATION: 11,
-        /// Set-point acknowledge, in mode 1. The drive is ready for a new target. (4.2 L449)
+        /// Set-point acknowledge, in mode 1. A new target may replace the present one. (4.2 L449)
         PP_SET_POINT_ACKNOWLEDGE: 12,
-        /// Following error, in mode 1. The position deviation is above its limit. (4.2 L448)
+        /// Following Error, in mode 1. The position deviation is above its limit. (4.2 L448)
         PP_FOLLOWING_ERROR: 13,
         /// Speed arrival, in mode 3. The speed deviation is inside the window. (4.5 L653)
         PV_SPEED_ARRIVAL: 10,
         /// Speed zero, in mode 3. The speed is in the zero range. (4.5 L652)
+        ///
+        /// Deviates from the standard: CiA 402 has speed zero at bit 12 in this mode, and an internal limit at bit 11.
         PV_SPEED_ZERO: 11,
         /// Positioning completed, in mode 6. The position deviation is inside the window and the speed is in the zero range. (4.4 L555)
         HM_POSITIONING_COMPLETED: 10,
         /// Homing done, in mode 6. (4.4 L553)
         HM_HOMING_DONE: 12,
-        /// Homing error, in mode 6. No method is set, a position preset while the axis moves, or homing without power. (4.4 L552)
+        /// Homing error, in mode 6. No method is set, a position preset while the axis moves, or homing while the servo is not enabled. (4.4 L552)
         HM_HOMING_ERROR: 13,
         /// Target reached, in mode 8. The position deviation is inside the window and the speed is in the zero range. (4.3 L507)
         CSP_TARGET_REACHED: 10,
@@ -78,11 +80,13 @@ bit_field! {
         CSP_LIMITER_ACTIVATION: 11,
         /// Successful synchronization, in mode 8. Cycle and synchronous data are good. (4.3 L505)
         CSP_SUCCESSFUL_SYNCHRONIZATION: 12,
-        /// Following error, in mode 8. The position deviation is above its limit. (4.3 L504)
+        /// Following Error, in mode 8. The position deviation is above its limit. (4.3 L504)
         CSP_FOLLOWING_ERROR: 13,
         /// Speed arrival, in mode 9. The speed deviation is inside the window. (4.6 L699)
         CSV_SPEED_ARRIVAL: 10,
         /// Speed zero, in mode 9. The speed is in the zero range. (4.6 L698)
+        ///
+        /// Deviates from the standard: CiA 402 has an internal limit at bit 11.
         CSV_SPEED_ZERO: 11,
         /// Successful synchronization, in mode 9. Cycle and synchronous data are good. (4.6 L697)
         CSV_SUCCESSFUL_SYNCHRONIZATION: 12,

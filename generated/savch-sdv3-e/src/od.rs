@@ -93,6 +93,9 @@ pub const RXPDO1_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0
 ///
 /// Default 1627324448 (60FF0020h).
 /// Manual: 6.1 T6-1 L1068.
+/// The name is inferred: The space is out of place; the other rows of the object have it one place later (L1066).
+///
+/// Erratum E16, name: printed "3rd RxPDO 1Mapped Object", used "3rd RxPDO1 Mapped Object". The space is out of place; the other rows of the object have it one place later (L1066).
 #[doc(alias = "1600")]
 pub const RXPDO1_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x03);
 
@@ -100,6 +103,9 @@ pub const RXPDO1_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0
 ///
 /// Default 1618018320 (60710010h).
 /// Manual: 6.1 T6-1 L1069.
+/// The name is inferred: As for E16.
+///
+/// Erratum E17, name: printed "4th RxPDO 1Mapped Object", used "4th RxPDO1 Mapped Object". As for E16.
 #[doc(alias = "1600")]
 pub const RXPDO1_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x04);
 
@@ -121,6 +127,9 @@ pub const RXPDO1_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = Object::new(0
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1072.
+/// The name is inferred: As for E16.
+///
+/// Erratum E18, name: printed "7th RxPDO 1Mapped Object", used "7th RxPDO1 Mapped Object". As for E16.
 #[doc(alias = "1600")]
 pub const RXPDO1_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x07);
 
@@ -380,8 +389,10 @@ pub const POSITION_ACTUAL_VALUE: Object<i32, Ro, Tx, UserPosition> = Object::new
 /// Velocity Actual Value, `606C:00`: INTEGER32, ro, TxPDO.
 ///
 /// In 0.1 rpm; -60000 to 60000; default 0.
-/// Note: The range is one cell for 606B and 606C, printed in two parts (L1219, L1220). The unit can be switched by P4.15 (L151).
+/// Note: The range is one cell for 606B and 606C, printed in two parts (L1219, L1220); 4.5 and 4.6 print none (L629, L677). The unit can be switched by P4.15 (L151).
 /// Manual: 6.2 T6-2 L1219 L1220.
+///
+/// Erratum E13, unit: printed "0.1 rpm", kept. P4.15 calls the format that it has by default r/min, the tables 0.1 r/min. Kept; which one the drive counts in should be tried at low speed.
 #[doc(alias = "606C")]
 pub const VELOCITY_ACTUAL_VALUE: Object<i32, Ro, Tx, Velocity> =
     Object::new(0x606C, 0x00).range(-60_000, 60_000).scale(1, 10);
@@ -389,8 +400,8 @@ pub const VELOCITY_ACTUAL_VALUE: Object<i32, Ro, Tx, Velocity> =
 /// Target Torque, `6071:00`: INTEGER16, rw, RxPDO and TxPDO.
 ///
 /// In 0.1 % rated torque; -3000 to 3000; default 0.
-/// Note: The range is printed in percent, the unit is one part in a thousand: 300.0 % is 3000.
-/// Manual: 6.2 T6-2 L1223.
+/// Note: The range is printed in percent, the unit is one part in a thousand: 300.0 % is 3000. The steps of 4.7 and 4.8 say that the whole is rated torque.
+/// Manual: 6.2 T6-2 L1223, 4.7 L712 L722, 4.8 L750 L760.
 #[doc(alias = "6071")]
 pub const TARGET_TORQUE: Object<i16, Rw, RxTx, TorqueRatio> =
     Object::new(0x6071, 0x00).range(-3000, 3000).scale(1, 1000);
@@ -399,7 +410,8 @@ pub const TARGET_TORQUE: Object<i16, Rw, RxTx, TorqueRatio> =
 ///
 /// In 0.1 % rated current; -3000 to 3000; default 0.
 /// Note: The range is one cell for 6071, 6074, 6077 and 6078; 4.7 prints it for 6078 itself. The manual does not say of what current it is a share.
-/// Manual: 6.2 T6-2 L1223 L1226, 4.7 L724.
+/// Manual: 6.2 T6-2 L1223 L1226, 4.7 L724, 4.8 L762.
+/// The unit is inferred: 1‰ is printed; that the whole is rated current is the definition of CiA 402.
 #[doc(alias = "6078")]
 pub const CURRENT_ACTUAL_VALUE: Object<i16, Ro, Tx, CurrentRatio> =
     Object::new(0x6078, 0x00).range(-3000, 3000).scale(1, 1000);
@@ -412,14 +424,23 @@ pub const CURRENT_ACTUAL_VALUE: Object<i16, Ro, Tx, CurrentRatio> =
 pub const TARGET_POSITION: Object<i32, Rw, RxTx, UserPosition> =
     Object::new(0x607A, 0x00).range(-2_147_483_648, 2_147_483_647);
 
+/// Home Offset, `607C:00`: INTEGER32, rw, RxPDO and TxPDO.
+///
+/// In user position; 0 to 2000000000; default 1000.
+/// Manual: 6.2 T6-2 L1228.
+#[doc(alias = "607C")]
+pub const HOME_OFFSET: Object<i32, Rw, RxTx, UserPosition> =
+    Object::new(0x607C, 0x00).range(0, 2_000_000_000);
+
 // 607Dh Software position limit
 
 /// Software Position Limit, `607D:00`: UNSIGNED8, ro, not mapped.
 ///
-/// Default 2.
+/// 2 to 2; default 2.
 /// Manual: 6.2 T6-2 L1229.
 #[doc(alias = "607D")]
-pub const SOFTWARE_POSITION_LIMIT: Object<u8, Ro, Unmapped, Raw> = Object::new(0x607D, 0x00);
+pub const SOFTWARE_POSITION_LIMIT: Object<u8, Ro, Unmapped, Raw> =
+    Object::new(0x607D, 0x00).range(2, 2);
 
 /// Min position limit, `607D:01`: INTEGER32, rw, RxPDO and TxPDO.
 ///
@@ -448,7 +469,9 @@ pub const MAX_POSITION_LIMIT: Object<i32, Rw, RxTx, UserPosition> =
 /// Note: The unit can be switched by P4.15 (L151).
 /// Manual: 6.2 T6-2 L1236.
 ///
-/// Erratum E02, min: printed -60000, used 0. The row is of type u32: a profile velocity has no sign. The range was copied from 60FF.
+/// Erratum E02, min: printed -60000, used 0. The row is of type u32: a profile velocity has no sign. The range is the one of 60FF, which is signed.
+///
+/// Erratum E14, unit: printed "0.1 rpm", kept. As for E13; the steps of 4.2 say 0.1 r/min as well (L397). Kept.
 #[doc(alias = "6081")]
 pub const PROFILE_VELOCITY: Object<u32, Rw, RxTx, Velocity> =
     Object::new(0x6081, 0x00).range(0, 60_000).scale(1, 10);
@@ -459,6 +482,8 @@ pub const PROFILE_VELOCITY: Object<u32, Rw, RxTx, Velocity> =
 /// Manual: 6.2 T6-2 L1243.
 ///
 /// Erratum E04, min: printed 0, kept. The steps of 4.4 allow 1 to 37. 0 is the default and means that no method is set: starting with it is an error (L552). Kept.
+///
+/// Erratum E12, max: printed 37, kept. Methods 15, 16 and 31 to 34 lie in the range and are reserved in the table of 4.4, whose introduction counts 37 methods nevertheless. Kept; a master should not write them.
 #[doc(alias = "6098")]
 pub const HOMING_METHOD: Object<i8, Rw, RxTx, Raw> = Object::new(0x6098, 0x00).range(0, 37);
 
@@ -466,10 +491,10 @@ pub const HOMING_METHOD: Object<i8, Rw, RxTx, Raw> = Object::new(0x6098, 0x00).r
 
 /// Homing Speeds, `6099:00`: UNSIGNED8, ro, not mapped.
 ///
-/// Default 2.
+/// 2 to 2; default 2.
 /// Manual: 6.2 T6-2 L1244.
 #[doc(alias = "6099")]
-pub const HOMING_SPEEDS: Object<u8, Ro, Unmapped, Raw> = Object::new(0x6099, 0x00);
+pub const HOMING_SPEEDS: Object<u8, Ro, Unmapped, Raw> = Object::new(0x6099, 0x00).range(2, 2);
 
 /// Homing Speed for Switch Search, `6099:01`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
@@ -477,7 +502,7 @@ pub const HOMING_SPEEDS: Object<u8, Ro, Unmapped, Raw> = Object::new(0x6099, 0x0
 /// Note: The range is printed in r/min, the default without a decimal point: see E07.
 /// Manual: 6.2 T6-2 L1245.
 ///
-/// Erratum E07, default: printed 500, kept. The range is printed with a decimal point in r/min, the default without one. Read as counts of 0.1 r/min, as the steps of 4.4 do: 50.0 r/min.
+/// Erratum E07, default: printed 500, kept. The range is printed with a decimal point in r/min, the default without one. Read as counts of 0.1 r/min, the unit of the row: 50.0 r/min. But 607F and 6080, in the same unit, print theirs in r/min (3000.0); read that way it is 500.0 r/min, ten times as fast. Kept, the slower of the two; read it from the drive.
 #[doc(alias = "6099")]
 pub const HOMING_SPEED_FOR_SWITCH_SEARCH: Object<u32, Rw, RxTx, Velocity> =
     Object::new(0x6099, 0x01).range(1, 60_000).scale(1, 10);
@@ -488,7 +513,7 @@ pub const HOMING_SPEED_FOR_SWITCH_SEARCH: Object<u32, Rw, RxTx, Velocity> =
 /// Note: The range is printed in r/min, the default without a decimal point: see E08.
 /// Manual: 6.2 T6-2 L1246.
 ///
-/// Erratum E08, default: printed 50, kept. As for E07: 5.0 r/min.
+/// Erratum E08, default: printed 50, kept. As for E07: 5.0 r/min, or 50.0 r/min. Kept.
 #[doc(alias = "6099")]
 pub const HOMING_SPEED_FOR_ZERO_SEARCH: Object<u32, Rw, RxTx, Velocity> =
     Object::new(0x6099, 0x02).range(1, 60_000).scale(1, 10);
@@ -498,6 +523,8 @@ pub const HOMING_SPEED_FOR_ZERO_SEARCH: Object<u32, Rw, RxTx, Velocity> =
 /// In 0.1 rpm; -60000 to 60000; default 0.
 /// Note: The unit can be switched by P4.15 (L151).
 /// Manual: 6.2 T6-2 L1258.
+///
+/// Erratum E15, unit: printed "0.1 rpm", kept. As for E13. Kept.
 #[doc(alias = "60FF")]
 pub const TARGET_VELOCITY: Object<i32, Rw, RxTx, Velocity> =
     Object::new(0x60FF, 0x00).range(-60_000, 60_000).scale(1, 10);
@@ -505,10 +532,10 @@ pub const TARGET_VELOCITY: Object<i32, Rw, RxTx, Velocity> =
 /// Supported Drive Modes, `6502:00`: UNSIGNED32, ro, TxPDO.
 ///
 /// Bit n - 1 stands for mode n.
-/// Default 109.
+/// 109 to 109; default 109.
 /// Manual: 6.2 T6-2 L1259.
 ///
 /// Erratum E03, default: printed 109, kept. 6Dh says PP, PV, PT, HM and IP. The manual lists and describes PP, PV, PT, HM, CSP, CSV and CST, which would be 3ADh, and never IP. Kept, because a drive may well report what is printed.
 #[doc(alias = "6502")]
 pub const SUPPORTED_DRIVE_MODES: Object<bits::SupportedDriveModes, Ro, Tx, Raw> =
-    Object::new(0x6502, 0x00);
+    Object::new(0x6502, 0x00).range(109, 109);

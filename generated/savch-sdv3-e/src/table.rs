@@ -15,7 +15,7 @@ pub static UNITS: [UnitDesc<'static>; 4] = [
 ];
 
 /// Entries of the dictionary, by address.
-pub static OBJECTS: [ObjectDesc<'static>; 60] = [
+pub static OBJECTS: [ObjectDesc<'static>; 61] = [
     ObjectDesc::new(Address::new(0x1000, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::Unmapped, "Device type").default_int(402),
     ObjectDesc::new(Address::new(0x1001, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::Unmapped, "Error register").default_int(0).bits(2),
     ObjectDesc::new(Address::new(0x1018, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::Unmapped, "Identity").default_int(4),
@@ -66,16 +66,17 @@ pub static OBJECTS: [ObjectDesc<'static>; 60] = [
     ObjectDesc::new(Address::new(0x6071, 0x00), DataType::INTEGER16, Access::Rw, Mapping::RxTx, "Target Torque").range(-3000, 3000).default_int(0).unit(2),
     ObjectDesc::new(Address::new(0x6078, 0x00), DataType::INTEGER16, Access::Ro, Mapping::Tx, "Current Actual Value").range(-3000, 3000).default_int(0).unit(3),
     ObjectDesc::new(Address::new(0x607A, 0x00), DataType::INTEGER32, Access::Rw, Mapping::RxTx, "Target Position").range(-2_147_483_648, 2_147_483_647).default_int(0).unit(0),
-    ObjectDesc::new(Address::new(0x607D, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::Unmapped, "Software Position Limit").default_int(2),
+    ObjectDesc::new(Address::new(0x607C, 0x00), DataType::INTEGER32, Access::Rw, Mapping::RxTx, "Home Offset").range(0, 2_000_000_000).default_int(1000).unit(0),
+    ObjectDesc::new(Address::new(0x607D, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::Unmapped, "Software Position Limit").range(2, 2).default_int(2),
     ObjectDesc::new(Address::new(0x607D, 0x01), DataType::INTEGER32, Access::Rw, Mapping::RxTx, "Min position limit").range(-2_000_000_000, 2_000_000_000).default_int(-2_000_000_000).unit(0),
     ObjectDesc::new(Address::new(0x607D, 0x02), DataType::INTEGER32, Access::Rw, Mapping::RxTx, "Max position limit").range(-2_000_000_000, 2_000_000_000).default_int(2_000_000_000).unit(0),
     ObjectDesc::new(Address::new(0x6081, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::RxTx, "Profile Velocity").range(0, 60_000).default_int(0).unit(1),
     ObjectDesc::new(Address::new(0x6098, 0x00), DataType::INTEGER8, Access::Rw, Mapping::RxTx, "Homing Method").range(0, 37).default_int(0),
-    ObjectDesc::new(Address::new(0x6099, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::Unmapped, "Homing Speeds").default_int(2),
+    ObjectDesc::new(Address::new(0x6099, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::Unmapped, "Homing Speeds").range(2, 2).default_int(2),
     ObjectDesc::new(Address::new(0x6099, 0x01), DataType::UNSIGNED32, Access::Rw, Mapping::RxTx, "Homing Speed for Switch Search").range(1, 60_000).default_int(500).unit(1),
     ObjectDesc::new(Address::new(0x6099, 0x02), DataType::UNSIGNED32, Access::Rw, Mapping::RxTx, "Homing Speed for Zero Search").range(1, 60_000).default_int(50).unit(1),
     ObjectDesc::new(Address::new(0x60FF, 0x00), DataType::INTEGER32, Access::Rw, Mapping::RxTx, "Target Velocity").range(-60_000, 60_000).default_int(0).unit(1),
-    ObjectDesc::new(Address::new(0x6502, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::Tx, "Supported Drive Modes").default_int(109).bits(3),
+    ObjectDesc::new(Address::new(0x6502, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::Tx, "Supported Drive Modes").range(109, 109).default_int(109).bits(3),
 ];
 
 /// Entries that take listed values only, by address.
@@ -120,7 +121,7 @@ pub static BIT_FIELDS: [BitFieldDesc<'static>; 4] = [
         BitDesc::new(10, 1, "Target reached").in_mode(1),
         BitDesc::new(11, 1, "Limiter activation").in_mode(1),
         BitDesc::new(12, 1, "Set-point acknowledge").in_mode(1),
-        BitDesc::new(13, 1, "Following error").in_mode(1),
+        BitDesc::new(13, 1, "Following Error").in_mode(1),
         BitDesc::new(10, 1, "Speed arrival").in_mode(3),
         BitDesc::new(11, 1, "Speed zero").in_mode(3),
         BitDesc::new(10, 1, "Positioning completed").in_mode(6),
@@ -129,7 +130,7 @@ pub static BIT_FIELDS: [BitFieldDesc<'static>; 4] = [
         BitDesc::new(10, 1, "Target reached").in_mode(8),
         BitDesc::new(11, 1, "Limiter activation").in_mode(8),
         BitDesc::new(12, 1, "Successful synchronization").in_mode(8),
-        BitDesc::new(13, 1, "Following error").in_mode(8),
+        BitDesc::new(13, 1, "Following Error").in_mode(8),
         BitDesc::new(10, 1, "Speed arrival").in_mode(9),
         BitDesc::new(11, 1, "Speed zero").in_mode(9),
         BitDesc::new(12, 1, "Successful synchronization").in_mode(9),

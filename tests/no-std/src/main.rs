@@ -81,9 +81,27 @@ fn velocity(lines: &mut Lines) -> Result<(), core::fmt::Error> {
     }
 }
 
+/// The same with a generated crate: a command, a frame, and why a drive stopped.
+fn generated(lines: &mut Lines) -> Result<(), core::fmt::Error> {
+    use savch_sdv3_e::{alarms, bits, enums, pdo};
+    let frame = pdo::Rx1 {
+        control_word: bits::Controlword(0).with(bits::Controlword::ENABLE_OPERATION, black_box(true)),
+        target_position: black_box(1_000),
+        target_velocity: 0,
+        target_torque: 0,
+        modes_of_operation: enums::ModeOfOperation::CYCLE_SYNCHRONIZED_POSITION_MODE,
+    };
+    write!(lines, "{:?}", black_box(frame.pack()))?;
+    for alarm in savch_sdv3_e::MODEL.alarms_by_code(black_box(0x8102)) {
+        write!(lines, "{} {:?}", alarm.name(), alarm.reset())?;
+    }
+    alarms::ALARM_TEXTS.iter().flat_map(|t| t.remedies()).try_for_each(|remedy| lines.write_str(remedy))
+}
+
 fn report(lines: &mut Lines) -> Result<(), core::fmt::Error> {
     setpoint(lines)?;
     velocity(lines)?;
+    generated(lines)?;
     if let Err(difference) = compare(&Command::MAPPING, black_box([0x6040_0010, 0x6060_0010])) {
         write!(lines, "{difference}")?;
     }

@@ -43,7 +43,8 @@ pdo_layout! {
 }
 
 static OBJECTS: [ObjectDesc<'static>; 2] = [
-    ObjectDesc::new(TARGET.address(), DataType::INTEGER32, Access::Rw, Mapping::Rx, "Target position").values(3),
+    ObjectDesc::new(TARGET.address(), DataType::INTEGER32, Access::Rw, Mapping::Rx, "Target position")
+        .values(3),
     ObjectDesc::new(VELOCITY.address(), DataType::UNSIGNED32, Access::Rw, Mapping::Rx, "Velocity").unit(1),
 ];
 static ALARMS: [AlarmDesc<'static>; 1] = [AlarmDesc::new("OF", 0x25, 0x8611, "following error exceeded")];
@@ -86,8 +87,17 @@ fn process(bytes: &mut [u8]) {
 
 fn look_up() {
     if let Some(object) = MODEL.object(black_box(TARGET.address())) {
-        black_box((MODEL.unit_of(object), MODEL.enum_of(object), MODEL.bits_of(object), object.accepts(black_box(9))));
-        black_box((MODEL.default_of(object), MODEL.allowed_of(object), MODEL.entries_of(object.address()).len()));
+        black_box((
+            MODEL.unit_of(object),
+            MODEL.enum_of(object),
+            MODEL.bits_of(object),
+            object.accepts(black_box(9)),
+        ));
+        black_box((
+            MODEL.default_of(object),
+            MODEL.allowed_of(object),
+            MODEL.entries_of(object.address()).len(),
+        ));
     }
     black_box(MODEL.alarms_by_code(black_box(0x8611)).count());
     black_box(MODEL.alarm(black_box("OF"), black_box(0x25)).is_some());
