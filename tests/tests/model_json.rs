@@ -67,7 +67,9 @@ fn from_json(json: &Value) -> BTreeSet<Line> {
     for field in ["pdo_entries", "pdo_bytes", "pdos_per_direction"] {
         lines.fact("drive", field, &json["drive"][field]);
     }
-    list(&json["objects"]).iter().for_each(|o| object(o, &mut lines));
+    for each in list(&json["objects"]) {
+        object(each, &mut lines);
+    }
     for table in list(&json["enums"]) {
         for value in list(&table["values"]) {
             let key = format!("enum {} {}", text(&table["name"]), text(&value["value"]));
@@ -75,10 +77,16 @@ fn from_json(json: &Value) -> BTreeSet<Line> {
         }
     }
     for table in list(&json["bits"]) {
-        list(&table["fields"]).iter().for_each(|f| bits(&text(&table["name"]), f, &mut lines));
+        for field in list(&table["fields"]) {
+            bits(&text(&table["name"]), field, &mut lines);
+        }
     }
-    list(&json["alarms"]).iter().for_each(|a| alarm(a, &mut lines));
-    list(&json["pdos"]).iter().for_each(|p| pdo(p, &mut lines));
+    for each in list(&json["alarms"]) {
+        alarm(each, &mut lines);
+    }
+    for each in list(&json["pdos"]) {
+        pdo(each, &mut lines);
+    }
     lines.0
 }
 
