@@ -11,23 +11,16 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-const DRIVE: &str = r#"
-manuals = [ { id = "m1", title = "T", version = "1", sha256 = "0000000000000000000000000000000000000000000000000000000000000000", lines = 10 } ]
+const OBJECTS: &str = r#"
 objects = [
-  { at = "2000:00", name = "Speed", type = "u16", access = "rw", default = 5, src = "1 L2" },
+  { at = "2000:00", name = "Speed", type = "u16", access = "rw", pdo = "no", default = 5, src = "1 L2" },
 ]
-
-[drive]
-format = 1
-id = "x1"
-vendor = "Acme"
-vendor_id = "acme"
-name = "X1"
-crate_version = "0.1.0"
-eds_version = 1
-eds_revision = 0
-date = "2026-01-01"
 "#;
+
+/// A profile with one object, in the third line of its file.
+fn drive() -> String {
+    format!("{OBJECTS}{}", include_str!("../../codegen/tests/fixtures/drive.toml"))
+}
 
 fn folder(name: &str, text: &str) -> PathBuf {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("cli").join(name);
@@ -59,7 +52,7 @@ fn code(output: &Output) -> i32 {
 
 #[test]
 fn a_sound_profile_is_checked_and_built() {
-    let at = folder("sound", DRIVE);
+    let at = folder("sound", &drive());
     let checked = run(&at, &["check", "profile"]);
     assert_eq!((code(&checked), err(&checked).as_str()), (0, ""));
     assert!(out(&checked).contains("1 objects, 1 entries") && out(&checked).contains("no findings"));
@@ -78,7 +71,7 @@ fn a_sound_profile_is_checked_and_built() {
 
 #[test]
 fn only_the_formats_asked_for_are_built() {
-    let at = folder("only", DRIVE);
+    let at = folder("only", &drive());
     assert_eq!(code(&run(&at, &["build", "profile", "--out", "o", "--only", "map"])), 0);
     assert!(at.join("o/map.txt").exists() && !at.join("o/eds").exists());
     assert_eq!(code(&run(&at, &["build", "profile", "--out", "o", "--only", "mpa"])), 2);
@@ -86,10 +79,10 @@ fn only_the_formats_asked_for_are_built() {
 
 #[test]
 fn findings_have_their_place_in_every_format() {
-    let at = folder("unsound", &DRIVE.replace("default = 5", "default = 70000"));
+    let at = folder("unsound", &drive().replace("default = 5", "default = 70000"));
     let human = run(&at, &["check", "profile"]);
     assert_eq!((code(&human), out(&human).as_str()), (1, ""));
-    assert!(err(&human).contains("error[E0402]") && err(&human).contains("drive.toml:4:"), "{}", err(&human));
+    assert!(err(&human).contains("error[E0402]") && err(&human).contains("drive.toml:3:"), "{}", err(&human));
     assert!(!err(&human).contains('\u{1b}'), "no colour in a pipe");
     let json = run(&at, &["check", "profile", "--format", "json"]);
     assert!(
@@ -97,16 +90,16 @@ fn findings_have_their_place_in_every_format() {
         "{}",
         out(&json)
     );
-    assert!(out(&json).contains(r#""path":"drive.toml","line":4"#));
+    assert!(out(&json).contains(r#""path":"drive.toml","line":3"#));
     let github = run(&at, &["check", "profile", "--format", "github"]);
-    assert!(out(&github).starts_with("::error file=profile/drive.toml,line=4,col="), "{}", out(&github));
+    assert!(out(&github).starts_with("::error file=profile/drive.toml,line=3,col="), "{}", out(&github));
     assert_eq!(code(&run(&at, &["build", "profile", "--out", "o"])), 1);
     assert!(!at.join("o").exists(), "nothing is half written");
 }
 
 #[test]
 fn what_is_not_there_is_the_disk_and_what_is_not_meant_is_usage() {
-    let at = folder("missing", DRIVE);
+    let at = folder("missing", &drive());
     assert_eq!(code(&run(&at, &["check", "nowhere"])), 3);
     assert_eq!(code(&run(&at, &["chekc", "profile"])), 2);
     assert_eq!(code(&run(&at, &["explain", "E9999"])), 2);
@@ -115,7 +108,7 @@ fn what_is_not_there_is_the_disk_and_what_is_not_meant_is_usage() {
 
 #[test]
 fn codes_are_listed_and_explained() {
-    let at = folder("codes", DRIVE);
+    let at = folder("codes", &drive());
     assert!(out(&run(&at, &["lints"])).contains("E0602  error"));
     assert!(out(&run(&at, &["explain", "e0602"])).contains("## Fails"));
     assert!(out(&run(&at, &["explain", "E0101"])).contains("not TOML"));

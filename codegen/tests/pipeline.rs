@@ -6,19 +6,7 @@ use drivewright_codegen::compile;
 use drivewright_codegen::model::{Address, Class, Value};
 use drivewright_codegen::source::Source;
 
-const DRIVE: &str = r#"
-manuals = [ { id = "m1", title = "T", version = "1", sha256 = "0000000000000000000000000000000000000000000000000000000000000000", lines = 10 } ]
-[drive]
-format = 1
-id = "x1"
-vendor = "Acme"
-vendor_id = "acme"
-name = "X1"
-crate_version = "0.1.0"
-eds_version = 1
-eds_revision = 0
-date = "2026-01-01"
-"#;
+const DRIVE: &str = include_str!("fixtures/drive.toml");
 
 fn sources(objects: &str, more: &[(&str, &str)]) -> Vec<Source> {
     let mut out = vec![

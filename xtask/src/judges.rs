@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::test::Outcome;
+use crate::outcome::Outcome;
 
 /// Judges of an EDS: name of the script, and whether it also takes `model.json`.
 const OF_EDS: &[(&str, bool)] = &[("eds_canopen", true), ("eds_dcfchk", false)];

@@ -5,6 +5,7 @@
 #![allow(clippy::disallowed_methods, reason = "a program, not a library: it reads, writes and measures time")]
 
 mod judges;
+mod outcome;
 mod regen;
 mod snapshots;
 mod test;

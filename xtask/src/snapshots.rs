@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use crate::test::Outcome;
+use crate::outcome::Outcome;
 use crate::tidy;
 
 /// Where insta is told to write.

@@ -4,14 +4,8 @@ use std::path::Path;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
+use crate::outcome::Outcome;
 use crate::{End, Options, judges, snapshots};
-
-/// What became of a step.
-pub enum Outcome {
-    Passed,
-    Failed(String),
-    Skipped(String),
-}
 
 /// A step that ran.
 pub struct Step {
@@ -71,7 +65,7 @@ fn step(steps: &mut Vec<Step>, name: &str, options: &Options, run: impl FnOnce()
     let outcome = run();
     let time = start.elapsed();
     if !options.quiet {
-        println!("== {name}: {} in {:.1} s", word(&outcome), time.as_secs_f64());
+        println!("== {name}: {} in {:.1} s", outcome.word(), time.as_secs_f64());
     }
     steps.push(Step { name: name.to_owned(), outcome, time });
 }
@@ -91,18 +85,10 @@ fn command(program: &str, args: &[&str], root: &Path, folder: &str, options: &Op
     }
 }
 
-fn word(outcome: &Outcome) -> &'static str {
-    match outcome {
-        Outcome::Passed => "passed",
-        Outcome::Failed(_) => "FAILED",
-        Outcome::Skipped(_) => "skipped",
-    }
-}
-
 fn summary(steps: &[Step]) -> End {
     println!("\n{:<40} {:>8}  result", "step", "seconds");
     for step in steps {
-        println!("{:<40} {:>8.1}  {}", step.name, step.time.as_secs_f64(), word(&step.outcome));
+        println!("{:<40} {:>8.1}  {}", step.name, step.time.as_secs_f64(), step.outcome.word());
     }
     for step in steps {
         match &step.outcome {
@@ -111,7 +97,7 @@ fn summary(steps: &[Step]) -> End {
             Outcome::Skipped(why) => println!("skipped: {}: {why}", step.name),
         }
     }
-    let count = |of: &str| steps.iter().filter(|s| word(&s.outcome) == of).count();
+    let count = |of: &str| steps.iter().filter(|s| s.outcome.word() == of).count();
     let failed = count("FAILED");
     println!("{} passed, {failed} failed, {} skipped", count("passed"), count("skipped"));
     if failed == 0 { End::Fine } else { End::Findings }

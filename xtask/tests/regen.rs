@@ -6,30 +6,23 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-const DRIVE: &str = r#"
-manuals = [ { id = "m1", title = "T", version = "1", sha256 = "0000000000000000000000000000000000000000000000000000000000000000", lines = 10 } ]
+const OBJECTS: &str = r#"
 objects = [
-  { at = "2000:00", name = "Speed", type = "u16", access = "rw", default = 5, src = "1 L2" },
+  { at = "2000:00", name = "Speed", type = "u16", access = "rw", pdo = "no", default = 5, src = "1 L2" },
 ]
-
-[drive]
-format = 1
-id = "x1"
-vendor = "Acme"
-vendor_id = "acme"
-name = "X1"
-crate_version = "0.1.0"
-eds_version = 1
-eds_revision = 0
-date = "2026-01-01"
 "#;
+
+/// A profile with one object.
+fn drive() -> String {
+    format!("{OBJECTS}{}", include_str!("../../codegen/tests/fixtures/drive.toml"))
+}
 
 fn checkout(name: &str) -> PathBuf {
     let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let _ = fs::remove_dir_all(&root);
     fs::create_dir_all(root.join("profiles/acme/x1")).unwrap();
     fs::create_dir_all(root.join("codegen")).unwrap();
-    fs::write(root.join("profiles/acme/x1/drive.toml"), DRIVE).unwrap();
+    fs::write(root.join("profiles/acme/x1/drive.toml"), drive()).unwrap();
     root
 }
 
@@ -93,7 +86,7 @@ fn a_profile_with_errors_changes_nothing() {
     let root = checkout("errors");
     assert_eq!(regen(&root, &[]).0, 0);
     let before = fs::read(root.join("generated/acme-x1/map.txt")).unwrap();
-    fs::write(root.join("profiles/acme/x1/drive.toml"), DRIVE.replace("default = 5", "default = 70000"))
+    fs::write(root.join("profiles/acme/x1/drive.toml"), drive().replace("default = 5", "default = 70000"))
         .unwrap();
     let (code, out, err) = regen(&root, &[]);
     assert!(code == 1 && err.contains("error[E0402]") && err.contains("nothing was written"), "{out}{err}");

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use crate::diag::{Diagnostic, Sink, code};
+use crate::rows::address::At;
 use crate::rows::tables::ErratumRow;
-use crate::rows::value::At;
 use crate::rows::{Fix, Row, Rows, suggest};
 use crate::source::Sp;
 

@@ -8,8 +8,8 @@ use crate::diag::{Diagnostic, Sink, code};
 use crate::limits;
 use crate::model::Address;
 use crate::raw;
+use crate::rows::address::Sub;
 use crate::rows::tables::ObjectRow;
-use crate::rows::value::Sub;
 use crate::rows::{Row, Rows, suggest};
 use crate::source::{FileId, Source, SourceMap, Span};
 

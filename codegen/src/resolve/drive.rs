@@ -4,9 +4,9 @@ use super::origin::Says;
 use crate::diag::{Diagnostic, Sink, code};
 use crate::merge::Profile;
 use crate::model::{Address, Arena, Cite, Drive, Erratum, ErratumId, Limits, Manual};
+use crate::rows::address::{At, Sub};
 use crate::rows::suggest;
 use crate::rows::tables::{DriveRow, ErratumRow};
-use crate::rows::value::{At, Sub};
 use crate::source::Sp;
 
 pub(super) fn drive(row: &DriveRow, errata: &[ErratumRow]) -> Drive {

@@ -12,8 +12,9 @@ use crate::model::{
     ObjectId, ObjectKind, Origin,
 };
 use crate::name::Name;
+use crate::rows::address::Sub;
 use crate::rows::tables::ObjectRow;
-use crate::rows::value::{Reason, Sub};
+use crate::rows::value::Reason;
 use crate::rows::{Row, suggest};
 use crate::source::{Sp, Span};
 

@@ -1,7 +1,7 @@
 //! Citations: `6.2 T6-2 L1230, 4.3 L484`.
 
-use super::decode::{Expected, Kind};
-use super::value::{FromRaw, Text};
+use super::kind::{Expected, FromRaw, Kind};
+use super::value::Text;
 use crate::diag::code;
 use crate::model::{Cite, Place};
 use crate::raw::RawValue;

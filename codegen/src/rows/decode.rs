@@ -1,25 +1,9 @@
 //! Decoding of one row: unknown keys, missing keys, values of the wrong kind. Everything wrong in a row is said at once.
 
-use super::value::FromRaw;
-use crate::diag::{Code, Diagnostic, Sink, code};
-use crate::limits;
+use super::kind::{FromRaw, Kind, suggest};
+use crate::diag::{Diagnostic, Sink, code};
 use crate::raw::{RawRow, RawValue};
 use crate::source::Sp;
-
-/// What a key takes, for messages and the schema.
-#[derive(Clone, Copy, Debug)]
-pub enum Kind {
-    /// Text, of a pattern where one is given.
-    Text(Option<&'static str>),
-    /// One of some words.
-    Words(fn() -> Vec<&'static str>),
-    /// A whole number from, to.
-    Int(i128, i128),
-    /// A whole number, text, or true/false.
-    Scalar,
-    /// A list.
-    List(&'static Kind),
-}
 
 /// A key of a table.
 #[derive(Clone, Copy, Debug)]
@@ -43,31 +27,6 @@ pub struct TableInfo {
     pub doc: &'static str,
     /// Its keys.
     pub fields: &'static [FieldInfo],
-}
-
-/// Why a value was refused.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Expected {
-    /// The code to report.
-    pub code: Code,
-    /// What is wrong, with the value in it.
-    pub message: String,
-    /// Why it is wrong.
-    pub why: String,
-    /// What to do.
-    pub help: String,
-}
-
-impl Expected {
-    /// A value of another kind than `wanted`.
-    pub fn kind(found: &RawValue, wanted: &str) -> Self {
-        Self {
-            code: code::WRONG_KIND,
-            message: format!("expected {wanted}, found {}", found.kind()),
-            why: "a value of another kind would have to be guessed at".into(),
-            help: format!("write {wanted}"),
-        }
-    }
 }
 
 /// Decodes the fields of a row.
@@ -150,48 +109,5 @@ impl<'a> Decoder<'a> {
     /// Whether all of the row was right.
     pub fn finish(self) -> bool {
         !self.bad
-    }
-}
-
-/// `did you mean` for a word, else the whole list.
-pub(crate) fn suggest(word: &str, known: &[&str]) -> String {
-    let near =
-        known.iter().filter(|k| k.len().abs_diff(word.len()) <= 2).map(|k| (distance(word, k), *k)).min();
-    match near {
-        Some((d, k)) if d <= 2 && d < k.len() => format!("did you mean `{k}`?"),
-        _ if known.len() > limits::SUGGESTIONS => {
-            format!("known: {}, ...", known[..limits::SUGGESTIONS].join(", "))
-        }
-        _ => format!("known: {}", known.join(", ")),
-    }
-}
-
-/// Edits between two short words; long ones count as far apart, so that a hostile key costs nothing.
-fn distance(a: &str, b: &str) -> usize {
-    if a.len() > 64 {
-        return usize::MAX;
-    }
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, y) in b.iter().enumerate() {
-            let change = diagonal + usize::from(x != *y);
-            diagonal = row[j + 1];
-            row[j + 1] = change.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[b.len()]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn suggestions() {
-        assert_eq!(suggest("nmae", &["name", "type"]), "did you mean `name`?");
-        assert_eq!(suggest("zzzz", &["name", "type"]), "known: name, type");
     }
 }

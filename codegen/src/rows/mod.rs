@@ -3,13 +3,17 @@
 //! [`tables`] lists every table once: the row structs, their decoder, the documentation of each key and the JSON schema
 //! all come from that list. A row with a bad value is reported and left out; the other rows go on.
 
+pub mod address;
 pub mod cite;
 mod decode;
+mod kind;
 pub mod tables;
 pub mod value;
+mod words;
 
-pub(crate) use decode::suggest;
-pub use decode::{Decoder, Expected, FieldInfo, Kind, TableInfo};
+pub use decode::{Decoder, FieldInfo, TableInfo};
+pub(crate) use kind::suggest;
+pub use kind::{Expected, FromRaw, Kind};
 pub use tables::Rows;
 
 use crate::diag::Sink;

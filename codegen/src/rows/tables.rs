@@ -2,8 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use super::decode::{Decoder, FieldInfo, TableInfo, suggest};
-use super::value::{At, Bit, Count, Date, FromRaw, Ident, Reason, Sha256, Text, Version, Width};
+use super::address::At;
+use super::decode::{Decoder, FieldInfo, TableInfo};
+use super::kind::{FromRaw, suggest};
+use super::value::{Bit, Count, Date, Ident, Reason, Sha256, Text, Version, Width};
 use super::{Meta, Row};
 use crate::diag::{Diagnostic, Sink, code};
 use crate::model::{Access, Address, Cite, Direction, Mapping, ObjectKind, Reset, Sure, Type, Unit, Value};

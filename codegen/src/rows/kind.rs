@@ -1,0 +1,96 @@
+//! What a key takes: its kind, how it is read, and what to say when it is something else.
+
+use crate::diag::{Code, code};
+use crate::limits;
+use crate::raw::RawValue;
+
+/// What a key takes, for messages and the schema.
+#[derive(Clone, Copy, Debug)]
+pub enum Kind {
+    /// Text, of a pattern where one is given.
+    Text(Option<&'static str>),
+    /// One of some words.
+    Words(fn() -> Vec<&'static str>),
+    /// A whole number from, to.
+    Int(i128, i128),
+    /// A whole number, text, or true/false.
+    Scalar,
+    /// A list.
+    List(&'static Kind),
+}
+
+/// A value that a key takes.
+pub trait FromRaw: Sized {
+    /// What it is, for messages and the schema.
+    const KIND: Kind;
+    /// Reads it.
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected>;
+}
+
+/// Why a value was refused.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Expected {
+    /// The code to report.
+    pub code: Code,
+    /// What is wrong, with the value in it.
+    pub message: String,
+    /// Why it is wrong.
+    pub why: String,
+    /// What to do.
+    pub help: String,
+}
+
+impl Expected {
+    /// A value of another kind than `wanted`.
+    pub fn kind(found: &RawValue, wanted: &str) -> Self {
+        Self {
+            code: code::WRONG_KIND,
+            message: format!("expected {wanted}, found {}", found.kind()),
+            why: "a value of another kind would have to be guessed at".into(),
+            help: format!("write {wanted}"),
+        }
+    }
+}
+
+/// `did you mean` for a word, else the whole list.
+pub(crate) fn suggest(word: &str, known: &[&str]) -> String {
+    let near =
+        known.iter().filter(|k| k.len().abs_diff(word.len()) <= 2).map(|k| (distance(word, k), *k)).min();
+    match near {
+        Some((d, k)) if d <= 2 && d < k.len() => format!("did you mean `{k}`?"),
+        _ if known.len() > limits::SUGGESTIONS => {
+            format!("known: {}, ...", known[..limits::SUGGESTIONS].join(", "))
+        }
+        _ => format!("known: {}", known.join(", ")),
+    }
+}
+
+/// Edits between two short words; long ones count as far apart, so that a hostile key costs nothing.
+fn distance(a: &str, b: &str) -> usize {
+    if a.len() > 64 {
+        return usize::MAX;
+    }
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.iter().enumerate() {
+            let change = diagonal + usize::from(x != *y);
+            diagonal = row[j + 1];
+            row[j + 1] = change.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn suggestions() {
+        assert_eq!(suggest("nmae", &["name", "type"]), "did you mean `name`?");
+        assert_eq!(suggest("zzzz", &["name", "type"]), "known: name, type");
+    }
+}
