@@ -9,7 +9,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use drivewright_codegen::diag::render;
 use drivewright_codegen::{backend, emit};
-use drivewright_tests::{Case, entries, golden_cases};
+use drivewright_tests::cases::{Case, entries, golden_cases};
 
 /// Runs `check` on every case, and fails with the names of those that failed.
 fn each(check: impl Fn(&Case)) {

@@ -9,7 +9,7 @@ use std::process::{Command, Output};
 
 use drivewright_codegen::backend::rust::Rust;
 use drivewright_codegen::emit;
-use drivewright_tests::{Case, golden_cases};
+use drivewright_tests::cases::{Case, golden_cases};
 
 /// A crate with a module for each of `cases`; `change` edits what is written into each file.
 fn krate(name: &str, cases: &[Case], change: impl Fn(&str) -> String) -> PathBuf {

@@ -8,7 +8,7 @@ use drivewright_codegen::backend::json::Json;
 use drivewright_codegen::emit;
 use drivewright_codegen::facts::{FactLine, facts};
 use drivewright_codegen::model::Model;
-use drivewright_tests::golden_cases;
+use drivewright_tests::cases::golden_cases;
 use serde_json::Value;
 
 /// The model as other programs see it.
