@@ -21,7 +21,7 @@ const TYPES: &[(&str, &str)] = &[
 ];
 
 /// What a drive can only report.
-const READ_ONLY: &str = "1000 1001 603F 6041 6061 6062 6063 6064 606B 606C 6074 6077 6078 6079 60B9 60BA 60BB 60F4 60FA 60FD 6502";
+const READ_ONLY: &str = "1000 1001 603F 6041 6061 6062 6063 6064 606B 606C 6074 6077 6078 6079 60B9 60BA 60BB 60F4 60FA 60FD 6502 67FF";
 
 fn drive(rows: &str) -> Vec<Source> {
     let head = include_str!("fixtures/drive.toml")
