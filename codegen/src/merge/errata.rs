@@ -55,16 +55,14 @@ fn keys(rows: &Rows) -> Vec<String> {
 fn target(erratum: &ErratumRow, found: usize, keys: &[String], sink: &mut Sink) {
     let at = &erratum.at.value.0;
     let known: Vec<&str> = keys.iter().map(String::as_str).collect();
-    let (message, help) = if found == 0 {
-        (format!("no row `{at}`"), suggest(at, &known))
+    let (message, why, help) = if found == 0 {
+        let why = "a correction that matches nothing has been overtaken, or never worked";
+        (format!("no row `{at}`"), why, suggest(at, &known))
     } else {
-        (format!("{found} rows are `{at}`"), "an erratum names one row".to_owned())
+        let why = "a correction must say which row it corrects";
+        (format!("{found} rows are `{at}`"), why, "make the rows differ, or remove the erratum".to_owned())
     };
-    sink.push(
-        Diagnostic::new(code::ERRATUM_TARGET, erratum.at.span, message)
-            .why("a correction that matches nothing has been overtaken, or never worked")
-            .help(help),
-    );
+    sink.push(Diagnostic::new(code::ERRATUM_TARGET, erratum.at.span, message).why(why).help(help));
 }
 
 struct Fixing<'a> {
@@ -148,7 +146,7 @@ impl Fixer<'_> {
             Diagnostic::new(
                 code::ERRATUM_WAS,
                 was.span,
-                format!("`{}` of `{}` is {shown}, not {}", field, row.key(), was.value),
+                format!("`{}` of `{}` is {shown}, and the erratum expects {}", field, row.key(), was.value),
             )
             .related(found.map_or(row.meta().span(), |f| f.span), "the row says this")
             .why("an erratum holds for the printed value that it was written against, and for no other")

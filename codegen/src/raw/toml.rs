@@ -60,7 +60,7 @@ impl Reader<'_> {
         if self.is_broken(&name.span.range()) {
             return;
         }
-        let text = format!("`{}` is {kind}, not a table", name.value);
+        let text = format!("`{}` is a single value ({kind}), not a table", name.value);
         self.sink.push(
             Diagnostic::new(code::WRONG_KIND, name.span, text)
                 .why("at the top of a profile file stand tables: one list of rows each")
@@ -92,7 +92,7 @@ impl Reader<'_> {
         if self.is_broken(&span) {
             return;
         }
-        let text = format!("a row of `{}` is {kind}", name.value);
+        let text = format!("a row of `{}` is a single value ({kind})", name.value);
         self.sink.push(
             Diagnostic::new(code::WRONG_KIND, self.span(span), text)
                 .why("each row is one fact with named values")

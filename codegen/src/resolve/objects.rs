@@ -127,8 +127,8 @@ impl<'a> Resolver<'a, '_> {
     fn too_many(&mut self) {
         let span = self.profile.rows.objects.first().map_or_else(Span::nowhere, |r| r.meta.span());
         self.sink.push(
-            Diagnostic::new(code::TOO_MANY_ENTRIES, span, "too many entries")
-                .why(format!("a drive has at most {}", limits::ENTRIES))
+            Diagnostic::new(code::TOO_MANY_ENTRIES, span, "the drive has too many entries")
+                .why(format!("a drive has at most {} entries", limits::ENTRIES))
                 .help("look for a range of sub-indexes that is too wide"),
         );
     }

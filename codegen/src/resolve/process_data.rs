@@ -30,6 +30,7 @@ fn pdo(index: u16, mut rows: Vec<&PdoRow>, profile: &Profile, model: &Model, sin
     for pair in rows.windows(2).filter(|p| p[0].pos.value == p[1].pos.value) {
         crate::merge::duplicate(pair[1], pair[0], sink);
     }
+    rows.dedup_by_key(|r| r.pos.value);
     let direction = direction(index, &rows, profile, sink);
     let entries = rows.iter().filter_map(|row| mapped(row, profile, model, sink)).collect();
     Pdo { index, direction: direction.value, origin: direction.origin, entries }

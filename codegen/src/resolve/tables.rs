@@ -52,8 +52,9 @@ impl<T: Clone, I: crate::model::Id> Named<T, I> {
         if found.is_none() {
             let known: Vec<String> = self.defined.keys().take(200).map(|words| words.join(" ")).collect();
             let known: Vec<&str> = known.iter().map(String::as_str).collect();
+            let kind = if unknown == code::UNKNOWN_ENUM { "value" } else { "bit" };
             sink.push(
-                Diagnostic::new(unknown, text.span, format!("there is no table `{}`", text.value.0))
+                Diagnostic::new(unknown, text.span, format!("there is no {kind} table `{}`", text.value.0))
                     .why("its values would stay without a meaning")
                     .help(suggest(&text.value.0.to_ascii_lowercase(), &known)),
             );

@@ -81,7 +81,9 @@ impl FromRaw for At {
 
     fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
         let text = checked_text(raw, 64)?;
-        Self::parse(text).ok_or_else(|| address_error(text, "`607D:01`, `3000:01..63` or `607D`"))
+        Self::parse(text).ok_or_else(|| {
+            address_error(text, "`607D:01`, `607D`, or with the lower sub-index first `3000:01..63`")
+        })
     }
 }
 

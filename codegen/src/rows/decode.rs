@@ -101,7 +101,7 @@ impl<'a> Decoder<'a> {
                 self.raw.span,
                 format!("a row of `{}` lacks `{key}`", self.table.name),
             )
-            .why(format!("`{key}`: {doc}"))
+            .why(format!("every row states it, since nothing is guessed. `{key}`: {doc}"))
             .help(format!("add `{key} = ...`")),
         );
     }

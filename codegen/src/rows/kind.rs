@@ -54,15 +54,22 @@ impl Expected {
 
 /// `did you mean` for a word, else the whole list.
 pub(crate) fn suggest(word: &str, known: &[&str]) -> String {
-    let near =
-        known.iter().filter(|k| k.len().abs_diff(word.len()) <= 2).map(|k| (distance(word, k), *k)).min();
-    match near {
-        Some((d, k)) if d <= 2 && d < k.len() => format!("did you mean `{k}`?"),
+    let near = known.iter().filter(|k| k.len().abs_diff(word.len()) <= 2);
+    let ranked = near.map(|k| (distance(word, k), letters(word) != letters(k), *k));
+    match ranked.filter(|(d, _, k)| *d <= 2 && *d < k.len()).min() {
+        Some((_, _, k)) => format!("did you mean `{k}`?"),
         _ if known.len() > limits::SUGGESTIONS => {
             format!("known: {}, ...", known[..limits::SUGGESTIONS].join(", "))
         }
         _ => format!("known: {}", known.join(", ")),
     }
+}
+
+/// The letters of a word in alphabetical order: of two words as near, the one with two letters swapped is meant.
+fn letters(word: &str) -> Vec<char> {
+    let mut letters: Vec<char> = word.chars().collect();
+    letters.sort_unstable();
+    letters
 }
 
 /// Edits between two short words; long ones count as far apart, so that a hostile key costs nothing.
@@ -91,6 +98,7 @@ mod tests {
     #[test]
     fn suggestions() {
         assert_eq!(suggest("nmae", &["name", "type"]), "did you mean `name`?");
+        assert_eq!(suggest("rmp", &["m", "rev", "rpm"]), "did you mean `rpm`?");
         assert_eq!(suggest("zzzz", &["name", "type"]), "known: name, type");
     }
 }

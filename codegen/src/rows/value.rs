@@ -35,7 +35,7 @@ pub(super) fn checked_text(raw: &RawValue, most: usize) -> Result<&str, Expected
         return Err(Expected {
             code: code::TOO_LONG,
             message: format!("the text has {} bytes", text.len()),
-            why: format!("at most {most} bytes fit every output format"),
+            why: format!("a text here has at most {most} bytes, so that every output format can hold it"),
             help: "say it shorter".into(),
         });
     }

@@ -26,7 +26,7 @@ fn word(raw: &RawValue) -> Result<&str, Expected> {
 
 fn no_such_word(found: &str, words: &[&str]) -> Expected {
     bad(
-        format!("`{found}` is not one of its words"),
+        format!("`{found}` is not one of the words allowed here"),
         "another word would have to be guessed at",
         suggest(found, words),
     )

@@ -11,7 +11,7 @@ const LIMIT: Code = Code::warning("W1202", "a limit does not fit a handle");
 const MEANING: Code = Code::warning("W1203", "named values or bits are not typed at an entry");
 
 /// Every code of this backend.
-pub const ALL: &[Code] = &[LAYOUT, LIMIT, MEANING];
+pub(super) const ALL: &[Code] = &[LAYOUT, LIMIT, MEANING];
 
 pub(super) fn layout(pdo: &Pdo) -> Diagnostic {
     let span = pdo.origin.span;

@@ -17,12 +17,10 @@ mod names;
 mod number;
 mod table;
 
-pub use loss::ALL as LOSSES;
-
 use std::fmt::Write;
 
 use super::Backend;
-use crate::diag::Sink;
+use crate::diag::{Code, Sink};
 use crate::emit::{FileSet, escape};
 use crate::model::Model;
 use lower::Lowered;
@@ -33,6 +31,10 @@ pub struct Rust;
 impl Backend for Rust {
     fn id(&self) -> &'static str {
         "rust"
+    }
+
+    fn codes(&self) -> &'static [Code] {
+        loss::ALL
     }
 
     fn emit(&self, model: &Model, out: &mut FileSet, sink: &mut Sink) {

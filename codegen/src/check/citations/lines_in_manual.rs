@@ -26,9 +26,13 @@ fn run(model: &Model, sink: &mut Sink) {
 
 fn holds(model: &Model, place: &Place) -> bool {
     let manual = match (&place.manual, model.manuals.as_slice()) {
-        (None, [only]) => Some(only),
-        (None, _) => None,
-        (Some(id), manuals) => manuals.iter().find(|m| m.id == *id),
+        (None, [only]) => only,
+        (None, _) => return false,
+        (Some(id), manuals) => match manuals.iter().find(|m| m.id == *id) {
+            Some(manual) => manual,
+            // Resolving has reported that there is no such manual.
+            None => return true,
+        },
     };
-    manual.is_some_and(|m| place.lines.iter().all(|line| *line <= m.lines))
+    place.lines.iter().all(|line| *line <= manual.lines)
 }

@@ -16,7 +16,9 @@ fn run(model: &Model, sink: &mut Sink) {
         model.objects.iter().filter(|(_, o)| o.kind.value != ObjectKind::Var && !counts_use(o.index))
     {
         let count = &model.entries[object.entries[0]];
-        let highest = object.entries.iter().map(|id| model.entries[*id].address.sub).max().unwrap_or(0);
+        // FFh describes the object and does not count.
+        let subs = object.entries.iter().map(|id| model.entries[*id].address.sub);
+        let highest = subs.filter(|sub| *sub != 0xFF).max().unwrap_or(0);
         let Some(default) = count.default_int().filter(|_| count.address.sub == 0) else { continue };
         if default.value != i128::from(highest) {
             let text = format!(

@@ -5,7 +5,7 @@ use crate::diag::{Code, Sink};
 use crate::model::{Model, ObjectKind, Type};
 
 const CODE: Code = Code::error("E0501", "sub-index 0 of an array or record is not UNSIGNED8");
-const WHY: &str = "ciA 301 fixes it: sub-index 0 counts, and readers read one byte";
+const WHY: &str = "CiA 301 fixes it: sub-index 0 counts, and readers read one byte";
 const HELP: &str = "correct the type; if the manual prints another one, add an erratum";
 
 /// Looks at the type of sub-index 0 of every array and record.

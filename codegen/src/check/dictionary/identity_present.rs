@@ -5,7 +5,7 @@ use crate::diag::{Code, Sink};
 use crate::model::{Address, Model};
 
 const CODE: Code = Code::warning("W0504", "a standard drive lacks 1000h or 1018h");
-const WHY: &str = "ciA 301 makes both mandatory";
+const WHY: &str = "CiA 301 makes both mandatory";
 const HELP: &str =
     "add the rows from the manual; if it does not print them, accept the finding with `allow` and the reason";
 

@@ -26,8 +26,11 @@ fn run(model: &Model, sink: &mut Sink) {
             ObjectKind::Record => true,
         };
         if !fits {
-            let text =
-                format!("the entries of `{:04X}` do not make it a {:?}", object.index, object.kind.value);
+            let text = format!(
+                "the entries of `{:04X}` are not those of `kind = \"{}\"`",
+                object.index,
+                object.kind.value.word()
+            );
             sink.push(super::finding(CODE, object.kind.span(), text, WHY, HELP));
         }
     }

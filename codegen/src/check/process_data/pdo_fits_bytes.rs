@@ -16,8 +16,10 @@ fn run(model: &Model, sink: &mut Sink) {
     for pdo in &model.pdos {
         let bytes = pdo.bits().div_ceil(8);
         let Some(last) = pdo.entries.last().filter(|_| bytes > u32::from(limit.value)) else { continue };
-        let text = format!("with `{}` PDO {:04X} has {bytes} bytes", super::mapped_row(pdo, last), pdo.index);
+        let row = super::mapped_row(pdo, last);
+        let text =
+            format!("with `{row}` PDO {:04X} has {bytes} bytes, more than the drive can map", pdo.index);
         let most = format!("at most {} bytes", limit.value);
-        sink.push(super::finding(CODE, last.bits.span(), text, WHY, HELP).related(limit.span(), most));
+        sink.push(super::finding(CODE, last.origin.span, text, WHY, HELP).related(limit.span(), most));
     }
 }

@@ -16,12 +16,12 @@ fn run(model: &Model, sink: &mut Sink) {
     for pdo in model.pdos.iter().filter(|p| p.entries.len() > usize::from(limit.value)) {
         let Some(last) = pdo.entries.last() else { continue };
         let text = format!(
-            "`{}` is entry {} of PDO {:04X}",
+            "`{}` is entry {} of PDO {:04X}, more than the drive can map",
             super::mapped_row(pdo, last),
             pdo.entries.len(),
             pdo.index
         );
         let most = format!("at most {} entries", limit.value);
-        sink.push(super::finding(CODE, last.bits.span(), text, WHY, HELP).related(limit.span(), most));
+        sink.push(super::finding(CODE, last.origin.span, text, WHY, HELP).related(limit.span(), most));
     }
 }

@@ -16,8 +16,11 @@ fn run(model: &Model, sink: &mut Sink) {
     for pdo in &model.pdos {
         for (expected, mapped) in (1u32..).zip(&pdo.entries) {
             if u32::from(mapped.position) != expected {
-                let text = format!("`{}` is entry {expected} of its PDO", super::mapped_row(pdo, mapped));
-                sink.push(super::finding(CODE, mapped.bits.span(), text, WHY, HELP));
+                let text = format!(
+                    "`{}` stands where position {expected} is expected",
+                    super::mapped_row(pdo, mapped)
+                );
+                sink.push(super::finding(CODE, mapped.origin.span, text, WHY, HELP));
                 break;
             }
         }

@@ -1,0 +1,183 @@
+//! Every code with a small profile that shows it, and what a person reads then.
+//!
+//! `diagnostics/<code>-<slug>.toml` are the profiles; lints take the failing example of their page. A file that does not
+//! mention `[drive]` is joined with `diagnostics/shared/drive.toml`.
+//!
+//! To accept a change: `INSTA_UPDATE=always cargo test -p drivewright-tests --test diagnostics`, then read the diff.
+
+#![allow(clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use drivewright_codegen::check::{LINTS, Lint};
+use drivewright_codegen::diag::{Diagnostic, code, github, json, render};
+use drivewright_codegen::source::{Source, SourceMap};
+use drivewright_codegen::{backend, compile, emit, limits};
+use drivewright_tests::cases::{entries, toml_files};
+
+const DRIVE: &str = include_str!("../diagnostics/shared/drive.toml");
+
+/// Codes without a case here: they speak of files, and a case is text. `codegen/tests/load.rs` has a case for each.
+const OF_FILES: &[&str] = &["E0001", "E0002", "E0003", "E0004", "E0005"];
+
+/// The cases that show the formats for programs.
+const FORMATS: &[&str] = &["E0101-comma-missing", "E0204-other-value", "W1004-no-sub-index-0"];
+
+struct Case {
+    code: String,
+    /// Name of the snapshot.
+    name: String,
+    sources: Vec<Source>,
+    /// Whether other codes come with it. Of those a snapshot holds none.
+    company: bool,
+}
+
+impl Case {
+    fn new(name: &str, text: String) -> Self {
+        let shared = Source { path: "drive.toml".into(), text: DRIVE.into() };
+        let own = Source { path: "case.toml".into(), text };
+        let sources = if own.text.contains("[drive]") { vec![own] } else { vec![own, shared] };
+        let code = name.split('-').next().expect("a code").to_owned();
+        Self { code, name: name.to_owned(), sources, company: false }
+    }
+
+    /// The findings of the compiler, and of a sound model what formats lose.
+    fn findings(&self) -> (Vec<Diagnostic>, SourceMap) {
+        let compiled = compile(self.sources.clone());
+        let losses = compiled.sound().map(|model| emit(model, backend::ALL).1).unwrap_or_default();
+        let is_its = |d: &Diagnostic| d.code.id() == self.code;
+        let rest: Vec<&str> =
+            compiled.diagnostics.iter().filter(|d| !is_its(d)).map(|d| d.code.id()).collect();
+        assert!(self.company || rest.is_empty(), "{}: also {rest:?}", self.name);
+        let all = compiled.diagnostics.into_iter().chain(losses);
+        (all.filter(is_its).collect(), compiled.sources)
+    }
+}
+
+/// The profiles in `diagnostics`.
+fn written() -> Vec<Case> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("diagnostics");
+    let name = |path: &str| path.strip_suffix(".toml").expect("a profile").to_owned();
+    toml_files(&folder).into_iter().map(|s| Case::new(&name(&s.path), s.text)).collect()
+}
+
+/// The failing example of a lint's page.
+fn of_lint(lint: &Lint) -> Case {
+    let (_, below) = lint.page.split_once("## Fails").expect("the page has an example");
+    let (_, block) = below.split_once("```toml\n").expect("a TOML block");
+    let example = block.split_once("```").expect("the block ends").0;
+    let Some((tables, drive)) = example.split_once("[drive]") else {
+        return Case::new(lint.code.id(), example.to_owned());
+    };
+    let (manuals, shared) = DRIVE.split_once("[drive]").expect("a drive");
+    Case::new(lint.code.id(), format!("{tables}{manuals}[drive]{shared}{drive}"))
+}
+
+/// Profiles too large to keep as files.
+fn made() -> Vec<Case> {
+    let findings = limits::FINDINGS + 1;
+    let name = |n: usize| {
+        format!(
+            "{{ at = \"{n:04X}:00\", name = \"{n} gain\", type = \"u8\", access = \"rw\", src = \"L1\" }},"
+        )
+    };
+    let ranges: String = (0..392).map(|n| name(0x2000 + n).replace(":00", ":00..FF")).collect();
+    let case = |name: &str, table: &str, rows: &str| Case {
+        company: true,
+        ..Case::new(name, format!("{table} = [\n{rows}\n]\n"))
+    };
+    vec![
+        case("E0007-too-many-errors", "enums", &"{},".repeat(findings)),
+        case("W0008-too-many-warnings", "objects", &(0..findings).map(name).collect::<String>()),
+        case("E0109-too-many-rows", "objects", &"{},".repeat(limits::ROWS + 1)),
+        case("E0310-too-many-entries", "objects", &ranges),
+    ]
+}
+
+fn cases() -> Vec<Case> {
+    let mut cases = written();
+    assert!(cases.len() >= 60, "only {} cases found", cases.len());
+    cases.extend(LINTS.iter().map(of_lint));
+    cases.extend(made());
+    cases
+}
+
+fn settings() -> insta::Settings {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.set_snapshot_path("snapshots/diagnostics");
+    settings
+}
+
+#[test]
+fn texts() {
+    let mut failed = Vec::new();
+    for case in cases() {
+        let shown = std::panic::catch_unwind(|| {
+            let (findings, sources) = case.findings();
+            assert!(!findings.is_empty(), "{} is not found", case.name);
+            let text = render::text(&findings, &sources, render::Style::default());
+            settings().bind(|| insta::assert_snapshot!(case.name.as_str(), text));
+        });
+        if shown.is_err() {
+            failed.push(case.name);
+        }
+    }
+    assert!(failed.is_empty(), "failed cases: {failed:#?}");
+}
+
+/// The formats for programs: a finding with one place, with two, and with none.
+#[test]
+fn other_formats() {
+    let (mut lines, mut commands) = (String::new(), String::new());
+    let cases: Vec<Case> = written().into_iter().filter(|c| FORMATS.contains(&c.name.as_str())).collect();
+    assert_eq!(cases.len(), FORMATS.len());
+    for case in cases {
+        let (findings, sources) = case.findings();
+        lines += &json::lines(&findings, &sources);
+        commands += &github::commands(&findings, &sources, "profiles/x1");
+    }
+    settings().bind(|| {
+        insta::assert_snapshot!("json", lines);
+        insta::assert_snapshot!("github", commands);
+    });
+}
+
+/// A finding without a reason or without advice leaves its reader alone.
+#[test]
+fn every_finding_says_why_and_what_to_do() {
+    for case in cases() {
+        let (findings, _) = case.findings();
+        assert!(!findings.is_empty(), "{} is not found", case.name);
+        for d in findings {
+            assert!(
+                [&d.message, &d.why, &d.help].iter().all(|text| !text.is_empty()),
+                "{}: {d:#?}",
+                case.name
+            );
+        }
+    }
+}
+
+/// A snapshot that no case writes any more would be read as if it held.
+#[test]
+fn no_snapshot_is_left_over() {
+    let names = cases().into_iter().map(|c| c.name).chain(["github".to_owned(), "json".to_owned()]);
+    let wanted: BTreeSet<String> = names.map(|name| format!("{name}.snap")).collect();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/snapshots/diagnostics");
+    let name = |path: &std::path::PathBuf| path.file_name().expect("a name").to_string_lossy().into_owned();
+    let found: BTreeSet<String> = entries(&folder).iter().map(name).collect();
+    assert_eq!(found, wanted);
+}
+
+#[test]
+fn every_code_has_a_case() {
+    let losses = backend::ALL.iter().flat_map(|b| b.codes());
+    let all = code::ALL.iter().chain(LINTS.iter().map(|l| &l.code)).chain(losses);
+    let wanted: BTreeSet<&str> = all.map(|c| c.id()).filter(|id| !OF_FILES.contains(id)).collect();
+    let cases = cases();
+    let shown: BTreeSet<&str> = cases.iter().map(|c| c.code.as_str()).collect();
+    assert_eq!(shown, wanted);
+}
