@@ -3,6 +3,7 @@
 //! `load → parse → merge → resolve → check → emit → sink`, one way: see `ARCHITECTURE.md`.
 
 pub mod backend;
+mod build;
 pub mod check;
 pub mod diag;
 pub mod emit;
@@ -18,6 +19,8 @@ pub mod rows;
 pub mod schema;
 pub mod sink;
 pub mod source;
+
+pub use build::{Build, BuildError, build};
 
 use backend::Backend;
 use diag::{Diagnostic, Sink};

@@ -114,6 +114,11 @@ pub fn write(files: &FileSet, folder: &Path) -> Result<Vec<Difference>, SinkErro
     Ok(found)
 }
 
+/// Writes one file, whole or not at all, unless it holds these bytes already.
+pub fn write_file(place: &Path, bytes: &[u8]) -> Result<(), SinkError> {
+    if fs::read(place).is_ok_and(|old| old == bytes) { Ok(()) } else { replace(place, bytes) }
+}
+
 /// What [`write()`] would change in the file at `path`, as a unified diff.
 #[cfg(feature = "diff")]
 pub fn unified(files: &FileSet, folder: &Path, path: &str) -> String {

@@ -41,7 +41,7 @@ pub use pdo::{PdoDesc, Remap};
 /// assert_eq!(MODEL.unit_of(object).map(|u| u.text()), Some("0.1 rpm"));
 /// assert!(MODEL.object(Address::new(0x6081, 1)).is_none());
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct DriveModel<'m> {
     identity: Identity<'m>,
     objects: &'m [ObjectDesc<'m>],
