@@ -7,6 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use crate::Options;
 use crate::outcome::Outcome;
 
 /// Judges of an EDS: name of the script, and whether it also takes `model.json`.
@@ -18,7 +19,8 @@ const OFFLINE: &[&str] =
     &["NewConnectionError", "ConnectTimeoutError", "ReadTimeoutError", "ProxyError", "NameResolutionError"];
 
 /// Runs every judge over every generated file of its kind. `step` runs and reports one of them.
-pub fn run(root: &Path, quiet: bool, step: &mut dyn FnMut(&str, &mut dyn FnMut() -> Outcome)) {
+pub fn run(root: &Path, options: &Options, step: &mut dyn FnMut(&str, &mut dyn FnMut() -> Outcome)) {
+    let quiet = options.quiet;
     let judges = root.join("tests/judges");
     let mut python = Err("its packages could not be installed".to_owned());
     step("judges: python packages", &mut || match environment(root, &judges) {
@@ -35,6 +37,10 @@ pub fn run(root: &Path, quiet: bool, step: &mut dyn FnMut(&str, &mut dyn FnMut()
     });
     step("schemas", &mut || match &python {
         Ok(python) => ask(python, &judges.join("schemas.py"), root, false, quiet),
+        Err(why) => Outcome::Skipped(why.clone()),
+    });
+    step("EDS of golden cases", &mut || match &python {
+        Ok(python) => ask(python, &judges.join("golden.py"), root, false, quiet),
         Err(why) => Outcome::Skipped(why.clone()),
     });
     let files = data_sheets(root);

@@ -20,11 +20,17 @@ pub fn run(root: &Path, options: &Options) -> End {
     snapshots::forget(root);
     // There is none before the first run.
     let _ = std::fs::remove_file(skips(root));
-    for (name, program, args, folder) in COMMANDS {
-        step(&mut steps, name, options, || command(program, args, root, folder, options));
+    for run in COMMANDS {
+        step(&mut steps, run.0, options, || command(run, &[], root, options));
+    }
+    for run in SLOW {
+        let why = "only with --full".to_owned();
+        step(&mut steps, run.0, options, || {
+            if options.full { command(run, MANY, root, options) } else { Outcome::Skipped(why) }
+        });
     }
     step(&mut steps, "every snapshot is referenced", options, || snapshots::unreferenced(root));
-    judges::run(root, options.quiet, &mut |name, judge| step(&mut steps, name, options, judge));
+    judges::run(root, options, &mut |name, judge| step(&mut steps, name, options, judge));
     let skips = std::fs::read_to_string(skips(root)).unwrap_or_default();
     for (name, why) in skips.lines().filter_map(|l| l.split_once(": ")) {
         steps.push(Step {
@@ -44,6 +50,9 @@ fn skips(root: &Path) -> std::path::PathBuf {
 /// Name, program, arguments, folder.
 type Run = (&'static str, &'static str, &'static [&'static str], &'static str);
 
+/// A driver crate as a user would write it, a workspace of its own.
+const EXAMPLE: &str = "examples/sdv3-e-driver";
+
 #[rustfmt::skip]
 const COMMANDS: &[Run] = &[
     ("format", "cargo", &["fmt", "--all", "--check"], "."),
@@ -53,9 +62,20 @@ const COMMANDS: &[Run] = &[
     ("generated files are fresh", "cargo", &["xtask", "regen", "--check"], "."),
     ("tests", "cargo", &["test", "--workspace", "--quiet"], "."),
     ("tests of xtask", "cargo", &["test", "--quiet"], "xtask"),
+    ("example: format", "cargo", &["fmt", "--check"], EXAMPLE),
+    ("example: clippy", "cargo", &["clippy", "--all-targets", "--quiet", "--", "-D", "warnings"], EXAMPLE),
+    ("example: tests", "cargo", &["test", "--quiet"], EXAMPLE),
     ("documentation", "cargo", &["doc", "--workspace", "--no-deps", "--quiet"], "."),
     ("tidy", "cargo", &["xtask", "tidy"], "."),
 ];
+
+/// What `--full` adds: the same tests with many more random cases and kills, and optimized.
+#[rustfmt::skip]
+const SLOW: &[Run] = &[
+    ("tests, optimized, many cases", "cargo", &["test", "--workspace", "--quiet", "--release"], "."),
+];
+/// How many cases the slow tests try: read by proptest, and by the test that kills the sink.
+const MANY: &[(&str, &str)] = &[("PROPTEST_CASES", "5000"), ("DRIVEWRIGHT_KILLS", "400")];
 
 fn step(steps: &mut Vec<Step>, name: &str, options: &Options, run: impl FnOnce() -> Outcome) {
     if !options.quiet {
@@ -70,10 +90,12 @@ fn step(steps: &mut Vec<Step>, name: &str, options: &Options, run: impl FnOnce()
     steps.push(Step { name: name.to_owned(), outcome, time });
 }
 
-fn command(program: &str, args: &[&str], root: &Path, folder: &str, options: &Options) -> Outcome {
+fn command(run: &Run, variables: &[(&str, &str)], root: &Path, options: &Options) -> Outcome {
+    let (_, program, args, folder) = *run;
     let folder = root.join(folder);
     let mut command = Command::new(program);
     command.args(args).current_dir(folder).env("INSTA_UPDATE", "no").env("RUSTDOCFLAGS", "-D warnings");
+    command.envs(variables.iter().copied());
     command.env(snapshots::VARIABLE, snapshots::references(root)).env("DRIVEWRIGHT_SKIPS", skips(root));
     if options.quiet {
         command.stdout(std::process::Stdio::null());

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::diag::{Diagnostic, Sink, code};
 use crate::rows::address::At;
 use crate::rows::tables::ErratumRow;
-use crate::rows::{Fix, Row, Rows, suggest};
+use crate::rows::{Fix, Row, Rows, Visit, VisitMut, suggest};
 use crate::source::Sp;
 
 /// Applies every erratum of `rows` to the row that it names.
@@ -14,15 +14,13 @@ pub(super) fn apply(rows: &mut Rows, sink: &mut Sink) {
     for pair in errata.windows(2).filter(|p| p[0].id == p[1].id) {
         super::duplicate(&pair[1], &pair[0], sink);
     }
-    let mut found = vec![0; errata.len()];
-    let fixing = Fixing { errata: &errata, targets: targets(&errata) };
-    fixing.table(&mut rows.drive, &mut found, sink);
-    fixing.table(&mut rows.objects, &mut found, sink);
-    fixing.table(&mut rows.enums, &mut found, sink);
-    fixing.table(&mut rows.bits, &mut found, sink);
-    fixing.table(&mut rows.alarms, &mut found, sink);
-    fixing.table(&mut rows.pdo, &mut found, sink);
-    let keys = keys(rows);
+    let found = vec![0; errata.len()];
+    let mut fixing = Fixing { errata: &errata, targets: targets(&errata), found, sink };
+    rows.visit_mut(&mut fixing);
+    let found = fixing.found;
+    let mut keys = Keys::default();
+    rows.visit(&mut keys);
+    let Keys(keys) = keys;
     for (erratum, found) in errata.iter().zip(found).filter(|(_, found)| *found != 1) {
         if !rows.left_out.contains(&normal(&erratum.at.value.0)) {
             target(erratum, found, &keys, sink);
@@ -45,11 +43,14 @@ fn normal(at: &str) -> String {
     At::parse(at).map_or_else(|| at.to_owned(), |at| at.to_string())
 }
 
-fn keys(rows: &Rows) -> Vec<String> {
-    let objects = rows.objects.iter().map(Row::key);
-    let alarms = rows.alarms.iter().map(Row::key);
-    let pdos = rows.pdo.iter().map(Row::key);
-    objects.chain(alarms).chain(pdos).take(200).collect()
+/// Names of rows, for suggestions.
+#[derive(Default)]
+struct Keys(Vec<String>);
+
+impl Visit<'_> for Keys {
+    fn table<R: Row>(&mut self, rows: &[R]) {
+        self.0.extend(rows.iter().take(200).map(Row::key));
+    }
 }
 
 fn target(erratum: &ErratumRow, found: usize, keys: &[String], sink: &mut Sink) {
@@ -68,6 +69,9 @@ fn target(erratum: &ErratumRow, found: usize, keys: &[String], sink: &mut Sink) 
 struct Fixing<'a> {
     errata: &'a [ErratumRow],
     targets: BTreeMap<String, Vec<usize>>,
+    /// How many rows each erratum names.
+    found: Vec<usize>,
+    sink: &'a mut Sink,
 }
 
 /// One erratum, and its place among all.
@@ -77,15 +81,15 @@ struct Fixer<'a> {
     errata: &'a [ErratumRow],
 }
 
-impl Fixing<'_> {
-    /// Applies the errata that name rows of a table, and counts for each how many rows it names.
-    fn table<R: Row>(&self, rows: &mut [R], found: &mut [usize], sink: &mut Sink) {
+impl VisitMut for Fixing<'_> {
+    /// Applies the errata that name rows of a table.
+    fn table<R: Row>(&mut self, rows: &mut [R]) {
         for row in rows {
             let Some(places) = self.targets.get(&row.key()) else { continue };
             for &place in places {
-                found[place] += 1;
-                if found[place] == 1 {
-                    Fixer { erratum: &self.errata[place], place, errata: self.errata }.row(row, sink);
+                self.found[place] += 1;
+                if self.found[place] == 1 {
+                    Fixer { erratum: &self.errata[place], place, errata: self.errata }.row(row, self.sink);
                 }
             }
         }

@@ -9,16 +9,20 @@ mod parts;
 mod ty;
 mod unit;
 mod visit;
+mod word;
 
 pub use fact::{Cite, Class, Fact, Origin, Place};
 pub use id::{Address, Arena, BitsId, EntryId, EnumId, ErratumId, Id, ObjectId};
 pub use parts::{
-    Access, Alarm, BitField, BitsDef, Drive, EnumDef, EnumValue, Erratum, Limits, Manual, Mapping, Reset,
-    Sure, Value,
+    Alarm, BitField, BitsDef, Drive, EnumDef, EnumValue, Erratum, Limits, Manual, Mapping, Value,
 };
 pub use ty::Type;
 pub use unit::{Quantity, Unit, UnitError};
 pub use visit::RowOrigins;
+pub use word::{
+    Access, Direction, Effect, EmcyContent, EsmAfter, EsmState, FmmuUse, Led, ObjectKind, Reset, Sure,
+    SyncManagerUse, SyncMode, TerminalKind, Worded,
+};
 
 use crate::name::Name;
 use crate::source::Sp;
@@ -44,28 +48,6 @@ pub struct Model {
     pub alarms: Vec<Alarm>,
     /// Where the manual is wrong, in the order of the profile.
     pub errata: Arena<ErratumId, Erratum>,
-}
-
-/// What an index holds.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum ObjectKind {
-    /// One value at sub-index 0.
-    Var,
-    /// Values of one type at sub-indexes 1.., their count at 0.
-    Array,
-    /// Values of several types, the highest sub-index at 0.
-    Record,
-}
-
-impl ObjectKind {
-    /// The word of profiles.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Var => "var",
-            Self::Array => "array",
-            Self::Record => "record",
-        }
-    }
 }
 
 /// An index of the dictionary.
@@ -127,25 +109,6 @@ impl Entry {
         match default.value {
             Value::Int(n) => Some(Sp::new(n, default.span())),
             Value::Text(_) => None,
-        }
-    }
-}
-
-/// Direction of process data, seen from the drive.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Direction {
-    /// Received by the drive.
-    Rx,
-    /// Sent by the drive.
-    Tx,
-}
-
-impl Direction {
-    /// The word of profiles.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Rx => "rx",
-            Self::Tx => "tx",
         }
     }
 }

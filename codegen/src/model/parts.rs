@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Address, Cite, Fact};
+use super::{Address, Cite, Fact, Reset, Sure};
 use crate::name::Name;
 
 /// Who made the drive, and the versions of what is generated.
@@ -58,41 +58,6 @@ pub struct Manual {
     pub lines: u32,
 }
 
-/// SDO access.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Access {
-    /// Read only.
-    Ro,
-    /// Read and write.
-    Rw,
-    /// Write only.
-    Wo,
-    /// Read only, never changes.
-    Const,
-}
-
-impl Access {
-    /// The word of profiles and of EDS files.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Ro => "ro",
-            Self::Rw => "rw",
-            Self::Wo => "wo",
-            Self::Const => "const",
-        }
-    }
-
-    /// Whether an upload can succeed.
-    pub fn reads(self) -> bool {
-        self != Self::Wo
-    }
-
-    /// Whether a download can succeed.
-    pub fn writes(self) -> bool {
-        matches!(self, Self::Rw | Self::Wo)
-    }
-}
-
 /// Which PDOs may carry an entry.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Mapping {
@@ -103,6 +68,14 @@ pub struct Mapping {
 }
 
 impl Mapping {
+    /// Every mapping, in the order of the documentation.
+    pub const ALL: [Self; 4] = [
+        Self { rx: false, tx: false },
+        Self { rx: true, tx: false },
+        Self { rx: false, tx: true },
+        Self { rx: true, tx: true },
+    ];
+
     /// The word of profiles: `no`, `rx`, `tx` or `rx tx`.
     pub fn word(self) -> &'static str {
         match (self.rx, self.tx) {
@@ -210,25 +183,6 @@ fn mode_name(mode: i8) -> String {
     }
 }
 
-/// How an alarm is cleared.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Reset {
-    /// By a fault reset, once the cause is gone.
-    Resettable,
-    /// Not by a fault reset.
-    NotResettable,
-}
-
-impl Reset {
-    /// The word of profiles.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Resettable => "resettable",
-            Self::NotResettable => "not resettable",
-        }
-    }
-}
-
 /// A fault or warning. 603Fh is shared by several: the key is display and number.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Alarm {
@@ -250,28 +204,6 @@ pub struct Alarm {
     pub causes: Vec<Fact<String>>,
     /// Remedies, in our words.
     pub remedies: Vec<Fact<String>>,
-}
-
-/// How sure an erratum is.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Sure {
-    /// Nothing else fits.
-    High,
-    /// The likelier reading.
-    Medium,
-    /// A choice that a device must confirm.
-    Low,
-}
-
-impl Sure {
-    /// The word of profiles.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::High => "high",
-            Self::Medium => "medium",
-            Self::Low => "low",
-        }
-    }
 }
 
 /// Where the manual is wrong or contradicts itself.

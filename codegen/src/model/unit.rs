@@ -4,51 +4,72 @@ use std::fmt;
 
 use crate::limits;
 
-/// What is measured. The base unit of each is the one that [`Quantity::base`] names.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Quantity {
+/// Defines the quantities with their names.
+macro_rules! quantities {
+    ($( $(#[doc = $doc:literal])+ $variant:ident = $name:literal, )+) => {
+        /// What is measured. The base unit of each is the one that [`Quantity::base`] names.
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+        pub enum Quantity {
+            $( $(#[doc = $doc])+ $variant, )+
+        }
+
+        impl Quantity {
+            /// Every quantity.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),+];
+
+            /// Name of the marker type in the runtime, in words.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $name,)+
+                }
+            }
+        }
+    };
+}
+
+quantities! {
     /// Position in user units, which depend on the gear objects of the drive.
-    UserPosition,
+    UserPosition = "user position",
     /// Velocity in user units.
-    UserVelocity,
+    UserVelocity = "user velocity",
     /// Acceleration in user units.
-    UserAcceleration,
+    UserAcceleration = "user acceleration",
     /// Encoder counts.
-    Counts,
+    Counts = "counts",
     /// Angle in revolutions.
-    Angle,
+    Angle = "angle",
     /// Speed of rotation in r/min.
-    Velocity,
+    Velocity = "velocity",
     /// Acceleration in r/min per second.
-    Acceleration,
+    Acceleration = "acceleration",
     /// Time in seconds.
-    Time,
+    Time = "time",
     /// Torque as a share of rated torque.
-    TorqueRatio,
+    TorqueRatio = "torque ratio",
     /// Torque in N m.
-    Torque,
+    Torque = "torque",
     /// Current as a share of rated current.
-    CurrentRatio,
+    CurrentRatio = "current ratio",
     /// Current in A.
-    Current,
+    Current = "current",
     /// Voltage in V.
-    Voltage,
+    Voltage = "voltage",
     /// Power in W.
-    Power,
+    Power = "power",
     /// Temperature in °C.
-    Temperature,
+    Temperature = "temperature",
     /// Frequency in Hz.
-    Frequency,
+    Frequency = "frequency",
     /// A share of something else.
-    Ratio,
+    Ratio = "ratio",
     /// Resistance in ohm.
-    Resistance,
+    Resistance = "resistance",
     /// Inductance in H.
-    Inductance,
+    Inductance = "inductance",
     /// Inertia in kg m².
-    Inertia,
+    Inertia = "inertia",
     /// Length in m.
-    Length,
+    Length = "length",
 }
 
 /// Symbol in a profile, quantity, and how many base units one of it is.
@@ -97,33 +118,6 @@ impl Quantity {
     pub fn base(self) -> &'static str {
         let base = SYMBOLS.iter().find(|(_, quantity, num, den)| *quantity == self && *num == *den);
         base.map_or("1", |b| b.0)
-    }
-
-    /// Name of the marker type in the runtime, in words.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::UserPosition => "user position",
-            Self::UserVelocity => "user velocity",
-            Self::UserAcceleration => "user acceleration",
-            Self::Counts => "counts",
-            Self::Angle => "angle",
-            Self::Velocity => "velocity",
-            Self::Acceleration => "acceleration",
-            Self::Time => "time",
-            Self::TorqueRatio => "torque ratio",
-            Self::Torque => "torque",
-            Self::CurrentRatio => "current ratio",
-            Self::Current => "current",
-            Self::Voltage => "voltage",
-            Self::Power => "power",
-            Self::Temperature => "temperature",
-            Self::Frequency => "frequency",
-            Self::Ratio => "ratio",
-            Self::Resistance => "resistance",
-            Self::Inductance => "inductance",
-            Self::Inertia => "inertia",
-            Self::Length => "length",
-        }
     }
 }
 

@@ -5,8 +5,8 @@ use crate::diag::{Diagnostic, Sink, code};
 use crate::merge::Profile;
 use crate::model::{Address, Arena, Cite, Drive, Erratum, ErratumId, Limits, Manual};
 use crate::rows::address::{At, Sub};
-use crate::rows::suggest;
 use crate::rows::tables::{DriveRow, ErratumRow};
+use crate::rows::{Row, Visit, suggest};
 use crate::source::Sp;
 
 pub(super) fn drive(row: &DriveRow, errata: &[ErratumRow]) -> Drive {
@@ -37,7 +37,9 @@ pub(super) fn manuals(profile: &Profile, sink: &mut Sink) -> Vec<Manual> {
         crate::merge::duplicate(&pair[1], &pair[0], sink);
     }
     let known: Vec<&str> = rows.iter().map(|m| m.id.value.0.as_str()).collect();
-    for cite in citations(profile) {
+    let mut citations = Citations::default();
+    profile.rows.visit(&mut citations);
+    for cite in citations.0 {
         check_manuals(cite, &known, sink);
     }
     rows.iter()
@@ -52,16 +54,14 @@ pub(super) fn manuals(profile: &Profile, sink: &mut Sink) -> Vec<Manual> {
         .collect()
 }
 
-fn citations(profile: &Profile) -> impl Iterator<Item = &Sp<Cite>> {
-    let rows = &profile.rows;
-    let drive = rows.drive.iter().filter_map(|r| r.pdo_src.as_ref());
-    let objects = rows.objects.iter().filter_map(|r| r.src.as_ref());
-    let enums = rows.enums.iter().filter_map(|r| r.src.as_ref());
-    let bits = rows.bits.iter().filter_map(|r| r.src.as_ref());
-    let alarms = rows.alarms.iter().flat_map(|r| r.src.iter().chain(&r.detail));
-    let pdo = rows.pdo.iter().filter_map(|r| r.src.as_ref());
-    let errata = rows.errata.iter().flat_map(|r| std::iter::once(&r.seen).chain(&r.by));
-    drive.chain(objects).chain(enums).chain(bits).chain(alarms).chain(pdo).chain(errata)
+/// Collects the citations of every table.
+#[derive(Default)]
+struct Citations<'a>(Vec<&'a Sp<Cite>>);
+
+impl<'a> Visit<'a> for Citations<'a> {
+    fn table<R: Row>(&mut self, rows: &'a [R]) {
+        self.0.extend(rows.iter().flat_map(Row::cites));
+    }
 }
 
 fn check_manuals(cite: &Sp<Cite>, known: &[&str], sink: &mut Sink) {

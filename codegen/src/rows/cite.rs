@@ -5,9 +5,14 @@ use super::value::Text;
 use crate::diag::code;
 use crate::model::{Cite, Place};
 use crate::raw::RawValue;
+use crate::source::Sp;
 
 impl FromRaw for Cite {
     const KIND: Kind = Kind::Text(Some("L[0-9]+"));
+
+    fn cite(value: &Sp<Self>) -> Option<&Sp<Cite>> {
+        Some(value)
+    }
 
     fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
         let Text(text) = Text::from_raw(raw)?;

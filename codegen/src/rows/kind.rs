@@ -2,7 +2,9 @@
 
 use crate::diag::{Code, code};
 use crate::limits;
+use crate::model::Cite;
 use crate::raw::RawValue;
+use crate::source::Sp;
 
 /// What a key takes, for messages and the schema.
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +27,10 @@ pub trait FromRaw: Sized {
     const KIND: Kind;
     /// Reads it.
     fn from_raw(raw: &RawValue) -> Result<Self, Expected>;
+    /// The value, if it is a citation.
+    fn cite(_value: &Sp<Self>) -> Option<&Sp<Cite>> {
+        None
+    }
 }
 
 /// Why a value was refused.

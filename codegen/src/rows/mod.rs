@@ -6,19 +6,22 @@
 pub mod address;
 pub mod cite;
 mod decode;
+mod define;
 mod kind;
 pub mod tables;
 pub mod value;
 mod words;
 
 pub use decode::{Decoder, FieldInfo, TableInfo};
+pub use define::{Visit, VisitMut};
 pub(crate) use kind::suggest;
 pub use kind::{Expected, FromRaw, Kind};
 pub use tables::Rows;
 
 use crate::diag::Sink;
+use crate::model::Cite;
 use crate::raw::RawRow;
-use crate::source::Span;
+use crate::source::{Sp, Span};
 
 /// A change that an erratum made to a row, or a value that it explains.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -60,6 +63,8 @@ pub trait Row: Sized {
     fn decode(raw: RawRow, sink: &mut Sink) -> Option<Self>;
     /// How errata, allowances and messages name the row.
     fn key(&self) -> String;
+    /// Its citations, in the order of its fields.
+    fn cites(&self) -> Vec<&Sp<Cite>>;
     /// What it has besides its fields.
     fn meta(&self) -> &Meta;
     /// The same, to change it.

@@ -4,139 +4,15 @@ use std::collections::BTreeSet;
 
 use super::address::At;
 use super::decode::{Decoder, FieldInfo, TableInfo};
-use super::kind::{FromRaw, suggest};
+use super::define::{Visit, VisitMut, tables};
+use super::kind::FromRaw;
 use super::value::{Bit, Count, Date, Ident, Reason, Sha256, Text, Version, Width};
 use super::{Meta, Row};
-use crate::diag::{Diagnostic, Sink, code};
+use crate::diag::Sink;
 use crate::model::{Access, Address, Cite, Direction, Mapping, ObjectKind, Reset, Sure, Type, Unit, Value};
 use crate::name::Name;
 use crate::raw::{RawRow, RawTable, RawValue};
 use crate::source::Sp;
-
-macro_rules! field_type {
-    (required $ty:ty) => { Sp<$ty> };
-    (optional $ty:ty) => { Option<Sp<$ty>> };
-}
-
-macro_rules! finish {
-    (required $field:ident) => {
-        $field?
-    };
-    (optional $field:ident) => {
-        $field
-    };
-}
-
-macro_rules! is_required {
-    (required) => {
-        true
-    };
-    (optional) => {
-        false
-    };
-}
-
-/// Defines the row structs, their decoders, and [`Rows`], which holds all tables of a profile.
-macro_rules! tables {
-    ($(
-        $(#[doc = $doc:literal])+
-        $row:ident in $table:ident, key |$this:ident| $row_key:block {
-            $( $(#[doc = $field_doc:literal])+ $field:ident $key:literal: $need:ident $ty:ty, )+
-        }
-    )+) => {
-        $(
-            $(#[doc = $doc])+
-            #[derive(Clone, Debug)]
-            pub struct $row {
-                $( $(#[doc = $field_doc])+ pub $field: field_type!($need $ty), )+
-                /// The row as read, and what errata did to it.
-                pub meta: Meta,
-            }
-
-            impl Row for $row {
-                const TABLE: TableInfo = TableInfo {
-                    name: stringify!($table),
-                    doc: concat!($($doc),+),
-                    fields: &[$( FieldInfo {
-                        key: $key,
-                        doc: concat!($($field_doc),+),
-                        required: is_required!($need),
-                        kind: <$ty as FromRaw>::KIND,
-                    } ),+],
-                };
-
-                fn decode(raw: RawRow, sink: &mut Sink) -> Option<Self> {
-                    let mut decoder = Decoder::new(&raw, Self::TABLE, sink);
-                    $( let $field = decoder.$need::<$ty>($key); )+
-                    if !decoder.finish() {
-                        return None;
-                    }
-                    Some(Self { $( $field: finish!($need $field), )+ meta: Meta { raw, fixes: Vec::new() } })
-                }
-
-                fn key(&self) -> String {
-                    let $this = self;
-                    $row_key
-                }
-
-                fn meta(&self) -> &Meta {
-                    &self.meta
-                }
-
-                fn meta_mut(&mut self) -> &mut Meta {
-                    &mut self.meta
-                }
-            }
-        )+
-
-        /// All rows of a profile or base.
-        #[derive(Clone, Default, Debug)]
-        pub struct Rows {
-            $( $(#[doc = $doc])+ pub $table: Vec<$row>, )+
-            /// Keys of rows that were left out because something in them is wrong; what refers to them is not reported again.
-            pub left_out: BTreeSet<String>,
-        }
-
-        impl Rows {
-            /// Every table of the format.
-            pub const TABLES: &'static [TableInfo] = &[$(<$row as Row>::TABLE),+];
-
-            /// Decodes `table` and adds its rows.
-            pub fn add(&mut self, table: RawTable, sink: &mut Sink) {
-                match table.name.value.as_str() {
-                    $( stringify!($table) => decode_rows(table.rows, &mut self.$table, &mut self.left_out, sink), )+
-                    _ => unknown_table(&table.name, sink),
-                }
-            }
-        }
-    };
-}
-
-fn decode_rows<R: Row>(
-    rows: Vec<RawRow>,
-    out: &mut Vec<R>,
-    left_out: &mut BTreeSet<String>,
-    sink: &mut Sink,
-) {
-    out.reserve(rows.len());
-    for raw in rows {
-        let at = raw.get("at").map(|at| at.value.clone());
-        match (R::decode(raw, sink), at) {
-            (Some(row), _) => out.push(row),
-            (None, Some(RawValue::Text(at))) => drop(left_out.insert(at.to_ascii_uppercase())),
-            (None, _) => {}
-        }
-    }
-}
-
-fn unknown_table(name: &Sp<String>, sink: &mut Sink) {
-    let known: Vec<&str> = Rows::TABLES.iter().map(|t| t.name).collect();
-    sink.push(
-        Diagnostic::new(code::UNKNOWN_TABLE, name.span, format!("there is no table `{}`", name.value))
-            .why("rows of a table that is not known would be lost")
-            .help(suggest(&name.value, &known)),
-    );
-}
 
 tables! {
     /// The drive: one row.

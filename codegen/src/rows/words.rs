@@ -2,23 +2,8 @@
 
 use super::kind::{Expected, FromRaw, Kind, suggest};
 use super::value::{bad, checked_text};
-use crate::model::{Access, Direction, Mapping, ObjectKind, Reset, Sure, Type};
+use crate::model::{Mapping, Type, Worded};
 use crate::raw::RawValue;
-
-macro_rules! words {
-    ($($ty:ident: $($word:literal => $value:expr),+;)*) => {$(
-        impl FromRaw for $ty {
-            const KIND: Kind = Kind::Words(|| vec![$($word),+]);
-
-            fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
-                match word(raw)? {
-                    $($word => Ok($value),)+
-                    other => Err(no_such_word(other, &[$($word),+])),
-                }
-            }
-        }
-    )*};
-}
 
 fn word(raw: &RawValue) -> Result<&str, Expected> {
     checked_text(raw, 64)
@@ -32,14 +17,27 @@ fn no_such_word(found: &str, words: &[&str]) -> Expected {
     )
 }
 
-words! {
-    Access: "ro" => Access::Ro, "rw" => Access::Rw, "wo" => Access::Wo, "const" => Access::Const;
-    Mapping: "no" => Mapping { rx: false, tx: false }, "rx" => Mapping { rx: true, tx: false },
-        "tx" => Mapping { rx: false, tx: true }, "rx tx" => Mapping { rx: true, tx: true };
-    Direction: "rx" => Direction::Rx, "tx" => Direction::Tx;
-    ObjectKind: "var" => ObjectKind::Var, "array" => ObjectKind::Array, "record" => ObjectKind::Record;
-    Reset: "resettable" => Reset::Resettable, "not resettable" => Reset::NotResettable;
-    Sure: "high" => Sure::High, "medium" => Sure::Medium, "low" => Sure::Low;
+fn known<T: Worded>() -> Vec<&'static str> {
+    T::ALL.iter().map(|value| value.word()).collect()
+}
+
+impl<T: Worded> FromRaw for T {
+    const KIND: Kind = Kind::Words(known::<T>);
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        let found = word(raw)?;
+        T::from_word(found).ok_or_else(|| no_such_word(found, &known::<T>()))
+    }
+}
+
+impl FromRaw for Mapping {
+    const KIND: Kind = Kind::Words(|| Self::ALL.map(Self::word).to_vec());
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        let found = word(raw)?;
+        let mapping = Self::ALL.into_iter().find(|mapping| mapping.word() == found);
+        mapping.ok_or_else(|| no_such_word(found, &Self::ALL.map(Self::word)))
+    }
 }
 
 impl FromRaw for Type {

@@ -6,7 +6,7 @@ use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 use super::schema::{Field, Shape, Struct};
-use crate::model::{Access, Direction, Mapping, ObjectKind, Quantity, Reset, Sure, Type};
+use crate::model::{Access, Direction, Mapping, ObjectKind, Quantity, Reset, Sure, Type, Worded};
 
 /// Defines structs that are written as JSON objects and described by the schema.
 macro_rules! shapes {
@@ -399,31 +399,24 @@ pub(super) trait Words: Sized {
     fn all() -> Vec<&'static str>;
 }
 
-/// Lists the variants of enums; one that is missing here does not compile.
-macro_rules! words {
-    ($($ty:ident by $word:ident: $($variant:ident)+;)+) => {$(
-        impl Words for $ty {
-            fn text(&self) -> &'static str {
-                match self {
-                    $(Self::$variant => Self::$variant.$word(),)+
-                }
-            }
+impl<T: Worded> Words for T {
+    fn text(&self) -> &'static str {
+        self.word()
+    }
 
-            fn all() -> Vec<&'static str> {
-                vec![$(Self::$variant.$word()),+]
-            }
-        }
-    )+};
+    fn all() -> Vec<&'static str> {
+        T::ALL.iter().map(|value| value.word()).collect()
+    }
 }
 
-words! {
-    Access by word: Ro Rw Wo Const;
-    Direction by word: Rx Tx;
-    ObjectKind by word: Var Array Record;
-    Reset by word: Resettable NotResettable;
-    Sure by word: High Medium Low;
-    Quantity by name: UserPosition UserVelocity UserAcceleration Counts Angle Velocity Acceleration Time TorqueRatio Torque
-        CurrentRatio Current Voltage Power Temperature Frequency Ratio Resistance Inductance Inertia Length;
+impl Words for Quantity {
+    fn text(&self) -> &'static str {
+        self.name()
+    }
+
+    fn all() -> Vec<&'static str> {
+        Self::ALL.iter().map(|quantity| quantity.name()).collect()
+    }
 }
 
 impl Words for Type {
@@ -442,7 +435,6 @@ impl Words for Mapping {
     }
 
     fn all() -> Vec<&'static str> {
-        let word = |rx, tx| Self { rx, tx }.word();
-        vec![word(false, false), word(true, false), word(false, true), word(true, true)]
+        Self::ALL.map(Self::word).to_vec()
     }
 }

@@ -1,0 +1,231 @@
+//! Values that a profile writes as one of some words.
+
+/// A value that stands for one of a fixed list of words.
+pub trait Worded: Copy + 'static {
+    /// Every value, in the order of the documentation.
+    const ALL: &'static [Self];
+
+    /// The word of profiles and of every output.
+    fn word(self) -> &'static str;
+
+    /// The value that `word` stands for.
+    fn from_word(word: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|value| value.word() == word)
+    }
+}
+
+/// Defines enums with a word for each variant.
+macro_rules! worded {
+    ($(
+        $(#[doc = $doc:literal])+
+        $name:ident { $( $(#[doc = $variant_doc:literal])+ $variant:ident = $word:literal, )+ }
+    )+) => {$(
+        $(#[doc = $doc])+
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+        pub enum $name {
+            $( $(#[doc = $variant_doc])+ $variant, )+
+        }
+
+        impl $name {
+            /// The word of profiles and of every output.
+            pub fn word(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $word,)+
+                }
+            }
+        }
+
+        impl Worded for $name {
+            const ALL: &'static [Self] = &[$(Self::$variant),+];
+
+            fn word(self) -> &'static str {
+                self.word()
+            }
+        }
+    )+};
+}
+
+worded! {
+    /// SDO access.
+    Access {
+        /// Read only.
+        Ro = "ro",
+        /// Read and write.
+        Rw = "rw",
+        /// Write only.
+        Wo = "wo",
+        /// Read only, never changes.
+        Const = "const",
+    }
+
+    /// Direction of process data, seen from the drive.
+    Direction {
+        /// Received by the drive.
+        Rx = "rx",
+        /// Sent by the drive.
+        Tx = "tx",
+    }
+
+    /// What an index holds.
+    ObjectKind {
+        /// One value at sub-index 0.
+        Var = "var",
+        /// Values of one type at sub-indexes 1.., their count at 0.
+        Array = "array",
+        /// Values of several types, the highest sub-index at 0.
+        Record = "record",
+    }
+
+    /// How an alarm is cleared.
+    Reset {
+        /// By a fault reset, once the cause is gone.
+        Resettable = "resettable",
+        /// Not by a fault reset.
+        NotResettable = "not resettable",
+    }
+
+    /// How sure an erratum is.
+    Sure {
+        /// Nothing else fits.
+        High = "high",
+        /// The likelier reading.
+        Medium = "medium",
+        /// A choice that a device must confirm.
+        Low = "low",
+    }
+
+    /// When a written parameter takes effect.
+    Effect {
+        /// At once.
+        AtOnce = "at once",
+        /// At the next standstill.
+        AtStop = "at stop",
+        /// After the next power cycle.
+        PowerCycle = "power cycle",
+    }
+
+    /// A state of the EtherCAT state machine.
+    EsmState {
+        /// Init.
+        Init = "Init",
+        /// Pre-Operational.
+        PreOp = "PreOP",
+        /// Safe-Operational.
+        SafeOp = "SafeOP",
+        /// Operational.
+        Op = "OP",
+    }
+
+    /// The state of the EtherCAT state machine after an alarm.
+    EsmAfter {
+        /// Init.
+        Init = "Init",
+        /// Pre-Operational.
+        PreOp = "PreOP",
+        /// Safe-Operational.
+        SafeOp = "SafeOP",
+        /// Operational.
+        Op = "OP",
+        /// The one before.
+        Kept = "kept",
+        /// The one that the master asks for.
+        Requested = "requested",
+    }
+
+    /// The synchronization in which an alarm is detected.
+    SyncMode {
+        /// Every one.
+        All = "all",
+        /// Distributed clocks.
+        Dc = "dc",
+        /// Free run.
+        FreeRun = "free run",
+    }
+
+    /// What the error indicator shows.
+    Led {
+        /// Off.
+        Off = "off",
+        /// On.
+        On = "on",
+        /// Blinking.
+        Blinking = "blinking",
+        /// One flash, then a pause.
+        SingleFlash = "single flash",
+        /// Two flashes, then a pause.
+        DoubleFlash = "double flash",
+    }
+
+    /// What a terminal is.
+    TerminalKind {
+        /// A digital input.
+        Input = "input",
+        /// A digital output.
+        Output = "output",
+        /// A common line of inputs or outputs.
+        Common = "common",
+        /// A supply or its ground.
+        Supply = "supply",
+    }
+
+    /// What a SyncManager carries.
+    SyncManagerUse {
+        /// Mailbox, master to drive.
+        MailboxOut = "mailbox out",
+        /// Mailbox, drive to master.
+        MailboxIn = "mailbox in",
+        /// Process data that the drive receives.
+        Outputs = "outputs",
+        /// Process data that the drive sends.
+        Inputs = "inputs",
+    }
+
+    /// What an FMMU maps.
+    FmmuUse {
+        /// Process data that the drive receives.
+        Outputs = "outputs",
+        /// Process data that the drive sends.
+        Inputs = "inputs",
+        /// The status of the mailbox.
+        MailboxStatus = "mailbox status",
+    }
+
+    /// What bytes of an emergency message hold.
+    EmcyContent {
+        /// The error code, as 603Fh has it.
+        ErrorCode = "error code",
+        /// The error register, 1001h.
+        ErrorRegister = "error register",
+        /// The maker's number of the alarm.
+        ErrorNumber = "error number",
+        /// The maker's auxiliary code.
+        AuxiliaryCode = "auxiliary code",
+        /// Nothing.
+        Reserved = "reserved",
+    }
+}
+
+impl Access {
+    /// Whether an upload can succeed.
+    pub fn reads(self) -> bool {
+        self != Self::Wo
+    }
+
+    /// Whether a download can succeed.
+    pub fn writes(self) -> bool {
+        matches!(self, Self::Rw | Self::Wo)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_read_back() {
+        assert_eq!(Access::from_word("wo"), Some(Access::Wo));
+        assert_eq!(EsmAfter::ALL.len(), 6);
+        assert!(EsmState::ALL.iter().all(|s| EsmState::from_word(s.word()) == Some(*s)));
+        assert_eq!(Led::from_word("Blinking"), None);
+    }
+}
