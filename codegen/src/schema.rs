@@ -51,6 +51,7 @@ fn kind(of: &Kind) -> Value {
         Kind::Int(low, high) => {
             json!({ "type": "integer", "minimum": number(*low), "maximum": number(*high) })
         }
+        Kind::Bool => json!({ "type": "boolean" }),
         Kind::Scalar => json!({ "type": ["integer", "string", "boolean", "array"] }),
         Kind::List(item) => json!({ "type": "array", "maxItems": limits::LIST_VALUES, "items": kind(item) }),
     }

@@ -75,6 +75,8 @@ codes! {
     BAD_UNIT error "E0112" "a unit cannot be read";
     FORMAT_VERSION error "E0113" "the profile is of a format that this version does not know";
     FLOAT error "E0114" "a number has a fraction";
+    BAD_PROGRAM error "E0115" "a homing program cannot be read";
+    BAD_EXPRESSION error "E0116" "an expression cannot be read";
 
     UNKNOWN_BASE error "E0201" "no such base";
     DUPLICATE_ROW error "E0202" "two rows state the same thing";
@@ -98,6 +100,7 @@ codes! {
     UNKNOWN_MANUAL error "E0309" "no such manual";
     TOO_MANY_ENTRIES error "E0310" "a drive has too many entries";
     NAMED_FIELD error "E0311" "a row names a field that it does not have";
+    HOMING_ROWS error "E0312" "the rows of a homing method do not go together";
 }
 
 #[cfg(test)]

@@ -106,10 +106,13 @@ impl Fixer<'_> {
         }
         let field = self.erratum.field.value.0.clone();
         let mut fixes = row.meta().fixes.clone();
-        fixes.push(Fix { key: field.clone(), erratum: self.place, set: self.erratum.set.is_some() });
-        if let Some(set) = &self.erratum.set {
+        fixes.push(Fix { key: field.clone(), erratum: self.place, set: self.changes() });
+        if self.changes() {
             let mut raw = row.meta().raw.clone();
-            raw.set(&field, Sp::new(set.value.clone(), set.span));
+            match &self.erratum.set {
+                Some(set) => raw.set(&field, Sp::new(set.value.clone(), set.span)),
+                None => raw.unset(&field),
+            }
             // What is wrong with the new value is reported at the erratum, where it stands.
             let Some(corrected) = R::decode(raw, sink) else { return };
             *row = corrected;
@@ -161,7 +164,7 @@ impl Fixer<'_> {
 
     fn is_first<R: Row>(&self, row: &R, sink: &mut Sink) -> bool {
         let field = &self.erratum.field.value.0;
-        let earlier = row.meta().fix(field).filter(|f| f.set && self.erratum.set.is_some());
+        let earlier = row.meta().fix(field).filter(|f| f.set && self.changes());
         if let Some(earlier) = earlier {
             sink.push(
                 Diagnostic::new(
@@ -178,7 +181,24 @@ impl Fixer<'_> {
         self.changes_something(sink)
     }
 
+    /// Whether another value, or none, takes the place of the printed one.
+    fn changes(&self) -> bool {
+        self.erratum.set.is_some() || self.erratum.drops()
+    }
+
     fn changes_something(&self, sink: &mut Sink) -> bool {
+        if let (Some(set), true) = (&self.erratum.set, self.erratum.drops()) {
+            sink.push(
+                Diagnostic::new(
+                    code::ERRATUM_NO_CHANGE,
+                    set.span,
+                    "the erratum both sets and drops the value",
+                )
+                .why("only one of the two can be meant")
+                .help("remove `set` or `unset`"),
+            );
+            return false;
+        }
         let same = self.erratum.set.as_ref().filter(|set| set.value == self.erratum.was.value);
         if let Some(set) = same {
             sink.push(

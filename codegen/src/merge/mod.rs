@@ -121,8 +121,10 @@ fn bases(rows: &Rows, sources: &mut SourceMap, sink: &mut Sink) -> Vec<Base> {
 /// Rows of `objects` by what they state, with the place of each row in its list.
 #[derive(Clone, Default, Debug)]
 pub struct ObjectIndex {
-    /// Rows by address.
+    /// Rows by address; where a row of one address lies in the range of another row, the one that is more exact.
     pub entries: BTreeMap<Address, usize>,
+    /// The row of a range that the row in `entries` refines.
+    pub refined: BTreeMap<Address, usize>,
     /// Rows for an index as a whole.
     pub whole: BTreeMap<u16, usize>,
 }
@@ -132,33 +134,48 @@ impl ObjectIndex {
     /// entries than a drive may have, which resolving reports.
     pub fn new(rows: &[ObjectRow], sink: &mut Sink) -> Self {
         let mut index = Self::default();
-        for (place, row) in rows.iter().enumerate() {
-            if row.at.value.sub == Sub::Whole {
-                let first = *index.whole.entry(row.at.value.index).or_insert(place);
-                report_twice(rows, first, place, sink);
-                continue;
+        let is_range = |row: &ObjectRow| matches!(row.at.value.sub, Sub::Range(..));
+        for (place, row) in rows.iter().enumerate().filter(|(_, row)| is_range(row)) {
+            if index.entries.len() > limits::ENTRIES {
+                return index;
             }
             let mut clash = None;
-            if index.entries.len() > limits::ENTRIES {
-                break;
-            }
             for address in row.at.value.addresses() {
                 let first = *index.entries.entry(address).or_insert(place);
                 clash = clash.or((first != place).then_some(first));
             }
             if let Some(first) = clash {
-                report_twice(rows, first, place, sink);
+                duplicate(row, &rows[first], sink);
+            }
+        }
+        for (place, row) in rows.iter().enumerate().filter(|(_, row)| !is_range(row)) {
+            match row.at.value.addresses().next() {
+                None => index.whole(place, rows, sink),
+                Some(address) => index.single(address, place, rows, sink),
             }
         }
         index
     }
-}
 
-fn report_twice(rows: &[ObjectRow], first: usize, second: usize, sink: &mut Sink) {
-    if first == second {
-        return;
+    fn whole(&mut self, place: usize, rows: &[ObjectRow], sink: &mut Sink) {
+        let first = *self.whole.entry(rows[place].at.value.index).or_insert(place);
+        if first != place {
+            duplicate(&rows[place], &rows[first], sink);
+        }
     }
-    duplicate(&rows[second], &rows[first], sink);
+
+    fn single(&mut self, address: Address, place: usize, rows: &[ObjectRow], sink: &mut Sink) {
+        match self.entries.insert(address, place) {
+            None => {}
+            Some(range) if matches!(rows[range].at.value.sub, Sub::Range(..)) => {
+                self.refined.insert(address, range);
+            }
+            Some(first) => {
+                self.entries.insert(address, first);
+                duplicate(&rows[place], &rows[first], sink);
+            }
+        }
+    }
 }
 
 /// Reports a row that states again what an earlier one states.

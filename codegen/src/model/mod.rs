@@ -3,7 +3,10 @@
 //! Everything after [`crate::resolve`] sees only this. A `Model` that passed [`crate::check`] without errors can be
 //! emitted by every backend.
 
+mod behaviour;
+mod expr;
 mod fact;
+mod homing;
 mod id;
 mod parts;
 mod ty;
@@ -11,7 +14,12 @@ mod unit;
 mod visit;
 mod word;
 
+pub use behaviour::{
+    Abort, Command, Detection, EmcyPart, Entries, Example, Fmmu, Mode, Rule, State, SyncManager, Terminal,
+};
+pub use expr::{Expr, OPERATORS, Op, Term};
 pub use fact::{Cite, Class, Fact, Origin, Place};
+pub use homing::{Event, HomingCase, HomingMethod, Level, Moves, Pace, Step, When};
 pub use id::{Address, Arena, BitsId, EntryId, EnumId, ErratumId, Id, ObjectId};
 pub use parts::{
     Alarm, BitField, BitsDef, Drive, EnumDef, EnumValue, Erratum, Limits, Manual, Mapping, Value,
@@ -20,8 +28,9 @@ pub use ty::Type;
 pub use unit::{Quantity, Unit, UnitError};
 pub use visit::RowOrigins;
 pub use word::{
-    Access, Direction, Effect, EmcyContent, EsmAfter, EsmState, FmmuUse, Led, ObjectKind, Reset, Sure,
-    SyncManagerUse, SyncMode, TerminalKind, Worded,
+    Access, Direction, Edge, Effect, EmcyContent, EsmAfter, EsmState, FmmuUse, HomingSignal, HomingStart,
+    HomingStatus, Led, ObjectKind, Occasion, Reset, Side, Signal, Sure, SyncManagerUse, SyncMode,
+    TerminalKind, Worded,
 };
 
 use crate::name::Name;
@@ -46,6 +55,28 @@ pub struct Model {
     pub pdos: Vec<Pdo>,
     /// Faults and warnings, by number and display.
     pub alarms: Vec<Alarm>,
+    /// Homing methods, ascending.
+    pub homing: Vec<HomingMethod>,
+    /// Modes of operation, ascending.
+    pub modes: Vec<Mode>,
+    /// States of the CiA 402 state machine, in the order of the manual.
+    pub states: Vec<State>,
+    /// Commands of the CiA 402 state machine, in the order of the manual.
+    pub commands: Vec<Command>,
+    /// Abort codes of SDO transfers, ascending.
+    pub aborts: Vec<Abort>,
+    /// Terminals, in the order of the manual.
+    pub terminals: Vec<Terminal>,
+    /// SyncManagers, by number.
+    pub sync_managers: Vec<SyncManager>,
+    /// FMMUs, by number.
+    pub fmmus: Vec<Fmmu>,
+    /// The emergency message, by byte.
+    pub emcy: Vec<EmcyPart>,
+    /// Rules between values, by id.
+    pub rules: Vec<Rule>,
+    /// Worked examples, by id and step.
+    pub examples: Vec<Example>,
     /// Where the manual is wrong, in the order of the profile.
     pub errata: Arena<ErratumId, Erratum>,
 }
@@ -100,6 +131,12 @@ pub struct Entry {
     pub note: Option<String>,
     /// Why it may differ from the standard object of the same index.
     pub deviation: Option<String>,
+    /// Number of the parameter on the panel and in the drive's manual.
+    pub parameter: Option<Fact<String>>,
+    /// When a written value takes effect.
+    pub effect: Option<Fact<Effect>>,
+    /// Where the manual prints a row for it again.
+    pub also: Option<Cite>,
 }
 
 impl Entry {
@@ -152,6 +189,13 @@ impl Model {
         let at = self.entries.as_slice().binary_search_by_key(&address, |e| e.address).ok()?;
         let id = EntryId::at(at);
         Some((id, &self.entries[id]))
+    }
+
+    /// The homing method `number` with its program: for one that is the same as another, that one's.
+    pub fn homing_program(&self, number: i8) -> Option<&HomingMethod> {
+        let find = |number| self.homing.iter().find(|m| m.number == number);
+        let method = find(number)?;
+        method.same.as_ref().map_or(Some(method), |same| find(same.value))
     }
 
     /// The object at `index`.

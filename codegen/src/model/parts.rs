@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Address, Cite, Fact, Reset, Sure};
+use super::{Address, Cite, Detection, Fact, Reset, Sure};
 use crate::name::Name;
 
 /// Who made the drive, and the versions of what is generated.
@@ -204,6 +204,19 @@ pub struct Alarm {
     pub causes: Vec<Fact<String>>,
     /// Remedies, in our words.
     pub remedies: Vec<Fact<String>>,
+    /// How it shows on EtherCAT.
+    pub detection: Detection,
+}
+
+impl Erratum {
+    /// What is used: `used 5`, `dropped` or `kept`; `value` says how the value is written.
+    pub fn outcome(&self, value: impl Fn(&str) -> String) -> String {
+        match &self.set {
+            Some(set) => format!("used {}", value(set)),
+            None if self.unset => "dropped".to_owned(),
+            None => "kept".to_owned(),
+        }
+    }
 }
 
 /// Where the manual is wrong or contradicts itself.
@@ -221,8 +234,10 @@ pub struct Erratum {
     pub was: String,
     /// Where that is printed.
     pub seen: Cite,
-    /// The value used instead; `None`: the printed value is kept.
+    /// The value used instead; `None`: the printed value is kept or dropped.
     pub set: Option<String>,
+    /// Whether the printed value is dropped, and nothing takes its place.
+    pub unset: bool,
     /// Where the other reading is printed.
     pub by: Option<Cite>,
     /// Why.

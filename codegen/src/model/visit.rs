@@ -1,6 +1,6 @@
 //! Every origin of a model, with the row that it belongs to.
 
-use super::{Entry, Fact, Model, Origin};
+use super::{Entry, Fact, HomingMethod, Model, Origin};
 
 /// A row of the model, named as messages name it, with the origins of its values.
 pub struct RowOrigins<'a> {
@@ -37,6 +37,11 @@ impl Model {
                     .chain(origin(a.aux.as_ref()))
                     .chain(origin(a.reset.as_ref()))
                     .chain(a.causes.iter().chain(&a.remedies).map(|t| &t.origin))
+                    .chain(origin(a.detection.esm.as_ref()))
+                    .chain(origin(a.detection.esm_after.as_ref()))
+                    .chain(origin(a.detection.sync.as_ref()))
+                    .chain(origin(a.detection.al_status.as_ref()))
+                    .chain(origin(a.detection.led.as_ref()))
                     .collect(),
             }
         }));
@@ -46,8 +51,95 @@ impl Model {
                 origins: vec![&e.origin, &e.bits.origin],
             }));
         }
+        for method in &self.homing {
+            rows.push(RowOrigins { row: format!("homing {}", method.number), origins: homing(method) });
+        }
+        rows.extend(
+            behaviour(self)
+                .map(|(row, origins)| RowOrigins { row, origins: origins.into_iter().flatten().collect() }),
+        );
         rows
     }
+}
+
+fn homing(method: &HomingMethod) -> Vec<&Origin> {
+    let columns = [
+        Some(&method.status.origin),
+        origin(method.same.as_ref()),
+        origin(method.start.as_ref()),
+        origin(method.approach.as_ref()),
+        origin(method.reference.as_ref()),
+        origin(method.side.as_ref()),
+        origin(method.edge.as_ref()),
+    ];
+    let cases = method.cases.iter().flat_map(|c| {
+        [Some(&c.when.origin), Some(&c.moves.origin), origin(c.abort.as_ref()), origin(c.mask.as_ref())]
+    });
+    columns.into_iter().chain(cases).flatten().collect()
+}
+
+/// Rows of the small tables.
+fn behaviour(model: &Model) -> impl Iterator<Item = (String, Vec<Option<&Origin>>)> {
+    let modes = model
+        .modes
+        .iter()
+        .map(|m| (format!("mode {}", m.number), vec![Some(&m.name.origin), origin(m.objects.as_ref())]));
+    let states = model
+        .states
+        .iter()
+        .map(|s| (format!("state {}", s.name.value), vec![Some(&s.mask.origin), Some(&s.value.origin)]));
+    let commands = model.commands.iter().map(|c| {
+        let numbers = [Some(&c.mask.origin), Some(&c.value.origin)];
+        let rest = [origin(c.edge.as_ref()), origin(c.transitions.as_ref())];
+        (format!("command {}", c.name.value), numbers.into_iter().chain(rest).collect())
+    });
+    let aborts =
+        model.aborts.iter().map(|a| (format!("abort {:08X}", a.code.value), vec![Some(&a.name.origin)]));
+    let terminals = model.terminals.iter().map(|t| {
+        let facts = vec![
+            Some(&t.kind.origin),
+            origin(t.pin.as_ref()),
+            origin(t.object.as_ref()),
+            origin(t.bit.as_ref()),
+            origin(t.parameter.as_ref()),
+        ];
+        (format!("terminal {}", t.name), facts)
+    });
+    let managers = model
+        .sync_managers
+        .iter()
+        .map(|s| (format!("sync manager {}", s.number), vec![Some(&s.carries.origin)]));
+    let fmmus = model.fmmus.iter().map(|f| (format!("fmmu {}", f.number), vec![Some(&f.maps.origin)]));
+    let emcy = model
+        .emcy
+        .iter()
+        .map(|e| (format!("emcy {}", e.byte), vec![Some(&e.bytes.origin), Some(&e.holds.origin)]));
+    let rules = model.rules.iter().map(|r| {
+        let parts = [origin(r.require.as_ref()), origin(r.when.as_ref()), origin(r.on.as_ref())];
+        (format!("rule {}", r.id), std::iter::once(Some(&r.text.origin)).chain(parts).collect())
+    });
+    let examples = model.examples.iter().map(|e| {
+        let facts = vec![
+            origin(e.write.as_ref()),
+            origin(e.entry.as_ref()),
+            origin(e.bits.as_ref()),
+            origin(e.parameter.as_ref()),
+            origin(e.value.as_ref()),
+            origin(e.min.as_ref()),
+            origin(e.max.as_ref()),
+        ];
+        (format!("example {}", e.label()), facts)
+    });
+    modes
+        .chain(states)
+        .chain(commands)
+        .chain(aborts)
+        .chain(terminals)
+        .chain(managers)
+        .chain(fmmus)
+        .chain(emcy)
+        .chain(rules)
+        .chain(examples)
 }
 
 fn origin<T>(fact: Option<&Fact<T>>) -> Option<&Origin> {
@@ -74,5 +166,7 @@ fn entry(e: &Entry) -> Vec<&Origin> {
         .chain(origin(e.default.as_ref()))
         .chain(origin(e.values.as_ref()))
         .chain(origin(e.bits.as_ref()))
+        .chain(origin(e.parameter.as_ref()))
+        .chain(origin(e.effect.as_ref()))
         .collect()
 }

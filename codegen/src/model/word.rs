@@ -190,6 +190,86 @@ worded! {
         MailboxStatus = "mailbox status",
     }
 
+    /// Whether a drive has a homing method.
+    HomingStatus {
+        /// It has it.
+        Supported = "supported",
+        /// The number is kept for later.
+        Reserved = "reserved",
+        /// The manual names it and says that the drive does not have it.
+        NotAvailable = "not available",
+    }
+
+    /// Direction of the first move of a homing method.
+    HomingStart {
+        /// Towards lower positions.
+        Negative = "negative",
+        /// Towards higher positions.
+        Positive = "positive",
+        /// It depends on the switch at the start.
+        BySwitch = "by switch",
+    }
+
+    /// What a homing method looks for.
+    HomingSignal {
+        /// The negative limit switch.
+        NegativeLimit = "negative_limit",
+        /// The positive limit switch.
+        PositiveLimit = "positive_limit",
+        /// The home switch.
+        Home = "home",
+        /// The index pulse of the encoder.
+        Index = "index",
+        /// A hard stop.
+        Stall = "stall",
+        /// The place where the axis stands.
+        Here = "here",
+    }
+
+    /// A side, seen from a signal.
+    Side {
+        /// Lower positions.
+        Negative = "negative",
+        /// Higher positions.
+        Positive = "positive",
+    }
+
+    /// A change of a signal, as time goes on.
+    Edge {
+        /// It becomes active.
+        Rising = "rising",
+        /// It becomes inactive.
+        Falling = "falling",
+    }
+
+    /// A switch that homing looks at.
+    Signal {
+        /// The negative limit switch.
+        NegativeLimit = "negative_limit",
+        /// The positive limit switch.
+        PositiveLimit = "positive_limit",
+        /// The home switch.
+        Home = "home",
+    }
+
+    /// When a rule must hold.
+    Occasion {
+        /// With distributed clocks.
+        Dc = "dc",
+        /// In free run.
+        FreeRun = "free run",
+        /// When homing is started.
+        StartHoming = "start homing",
+        /// While homing runs.
+        WhileHoming = "while homing",
+        /// When the drive is enabled.
+        Enable = "enable",
+        /// When a state of the EtherCAT state machine is asked for.
+        EsmChange = "esm change",
+        /// When process data are mapped or assigned.
+        Remap = "remap",
+    }
+
     /// What bytes of an emergency message hold.
     EmcyContent {
         /// The error code, as 603Fh has it.

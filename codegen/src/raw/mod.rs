@@ -76,6 +76,11 @@ impl RawRow {
         self.fields.iter().find(|f| f.key.value == key).map(|f| &f.value)
     }
 
+    /// Takes `key` out.
+    pub fn unset(&mut self, key: &str) {
+        self.fields.retain(|f| f.key.value != key);
+    }
+
     /// Replaces or adds the value of `key`.
     pub fn set(&mut self, key: &str, value: Sp<RawValue>) {
         match self.fields.iter_mut().find(|f| f.key.value == key) {

@@ -3,7 +3,7 @@
 use super::origin::Says;
 use crate::diag::Sink;
 use crate::merge::Profile;
-use crate::model::{Alarm, Fact};
+use crate::model::{Alarm, Detection, Fact};
 use crate::rows::tables::{AlarmRow, ErratumRow};
 use crate::rows::value::Text;
 use crate::source::Sp;
@@ -36,6 +36,13 @@ fn alarm(row: &AlarmRow, errata: &[ErratumRow]) -> Alarm {
         reset: row.reset.map(|v| says.fact("reset", v)),
         causes: texts("causes", row.causes.as_ref(), &detail),
         remedies: texts("remedies", row.remedies.as_ref(), &detail),
+        detection: Detection {
+            esm: row.esm.clone().map(|v| detail.fact("esm", v)),
+            esm_after: row.esm_after.map(|v| detail.fact("esm_after", v)),
+            sync: row.sync.map(|v| detail.fact("sync", v)),
+            al_status: row.al_status.map(|v| detail.fact("al_status", v)),
+            led: row.led.map(|v| detail.fact("led", v)),
+        },
     }
 }
 

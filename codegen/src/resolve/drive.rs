@@ -92,6 +92,7 @@ fn erratum(row: &ErratumRow) -> Erratum {
         was: row.was.value.to_string(),
         seen: row.seen.value.clone(),
         set: row.set.as_ref().map(|s| s.value.to_string()),
+        unset: row.drops(),
         by: row.by.as_ref().map(|b| b.value.clone()),
         why: row.why.value.0.clone(),
         sure: row.sure.value,

@@ -1,7 +1,9 @@
 //! Turns merged rows into a model: every reference found, every name unique, every value with its origin.
 
 mod alarms;
+mod behaviour;
 mod drive;
+mod homing;
 mod names;
 mod objects;
 mod origin;
@@ -27,9 +29,21 @@ pub fn resolve(profile: &Profile, sink: &mut Sink) -> Option<Model> {
         bits: resolved.bits,
         pdos: Vec::new(),
         alarms: alarms::alarms(profile, sink),
+        homing: homing::methods(profile, sink),
+        modes: Vec::new(),
+        states: Vec::new(),
+        commands: Vec::new(),
+        aborts: Vec::new(),
+        terminals: Vec::new(),
+        sync_managers: Vec::new(),
+        fmmus: Vec::new(),
+        emcy: Vec::new(),
+        rules: Vec::new(),
+        examples: Vec::new(),
         errata: drive::errata(profile),
     };
     model.pdos = process_data::pdos(profile, &model, sink);
+    behaviour::fill(&mut model, profile, sink);
     names::check_unique(&model, sink);
     Some(model)
 }

@@ -28,6 +28,17 @@ pub(super) struct Resolved {
 /// A row of a base, with the base's name.
 type BaseRow<'a> = (&'a str, &'a ObjectRow);
 
+/// Who may state a value, the most exact first.
+#[derive(Clone, Copy)]
+struct Stated<'a> {
+    /// The drive's row for the address.
+    row: &'a ObjectRow,
+    /// The drive's row for a range that it refines.
+    range: Option<&'a ObjectRow>,
+    /// The base's row.
+    base: Option<BaseRow<'a>>,
+}
+
 struct Resolver<'a, 's> {
     profile: &'a Profile,
     tables: Tables,
@@ -51,11 +62,12 @@ pub(super) fn resolve(profile: &Profile, tables: Tables, sink: &mut Sink) -> Res
     let mut objects = Arena::default();
     let mut entries: Arena<EntryId, Entry> = Arena::default();
     for (address, place) in &own.entries {
-        let Some(entry) =
-            resolver.entry(*address, &profile.rows.objects[*place], ObjectId::at(objects.len()))
-        else {
-            continue;
+        let rows = Stated {
+            row: &profile.rows.objects[*place],
+            range: own.refined.get(address).map(|place| &profile.rows.objects[*place]),
+            base: resolver.base_entries.get(address).copied(),
         };
+        let Some(entry) = resolver.entry(*address, rows, ObjectId::at(objects.len())) else { continue };
         let object: ObjectId = match objects.as_slice().last() {
             Some(Object { index, .. }) if *index == address.index => ObjectId::at(objects.len() - 1),
             _ => objects.push(first_of(&entry)),
@@ -145,28 +157,32 @@ impl<'a> Resolver<'a, '_> {
         }
     }
 
-    /// The value of a key: the drive's, else the base's.
+    /// The value of a key: the drive's, else the base's. A value that an erratum drops is stated by nobody.
     fn pick<T: Clone>(
         &self,
         key: &str,
-        row: &'a ObjectRow,
-        base: Option<BaseRow<'a>>,
+        stated: Stated<'a>,
         get: impl Fn(&ObjectRow) -> Option<&Sp<T>>,
     ) -> Option<Fact<T>> {
-        if let Some(value) = get(row) {
-            return Some(self.says(row, None).fact(key, value.clone()));
+        for row in [Some(stated.row), stated.range].into_iter().flatten() {
+            if let Some(value) = get(row) {
+                return Some(self.says(row, None).fact(key, value.clone()));
+            }
+            if row.meta.fix(key).is_some_and(|fix| fix.set) {
+                return None;
+            }
         }
-        let (name, base_row) = base?;
+        let (name, base_row) = stated.base?;
         get(base_row).map(|value| self.says(base_row, Some(name)).fact(key, value.clone()))
     }
 
-    fn entry(&mut self, address: Address, row: &'a ObjectRow, object: ObjectId) -> Option<Entry> {
-        let base = self.base_entries.get(&address).copied();
+    fn entry(&mut self, address: Address, stated: Stated<'a>, object: ObjectId) -> Option<Entry> {
+        let row = stated.row;
         let (ty, access) = (
-            self.pick("type", row, base, |r| r.ty.as_ref()),
-            self.pick("access", row, base, |r| r.access.as_ref()),
+            self.pick("type", stated, |r| r.ty.as_ref()),
+            self.pick("access", stated, |r| r.access.as_ref()),
         );
-        let name = self.pick("name", row, base, |r| r.name.as_ref());
+        let name = self.pick("name", stated, |r| r.name.as_ref());
         if name.is_none() {
             self.unknown(
                 code::NAME_UNKNOWN,
@@ -189,13 +205,13 @@ impl<'a> Resolver<'a, '_> {
             self.unknown(code::ACCESS_UNKNOWN, address, row, "access", "a refused write must not compile");
         }
         let (name, ty, access) = (name?, ty?, access?);
-        self.deviation(row, base, address);
-        let handle = row
-            .rename
-            .as_ref()
-            .map_or_else(|| member_name(&name.value, row, address), |r| member_name(&r.value, row, address));
-        let values = self.pick("values", row, base, |r| r.values.as_ref());
-        let bits = self.pick("bits", row, base, |r| r.bits.as_ref());
+        self.deviation(row, stated.base, address);
+        // A name that stands for several entries gets the number of each.
+        let named =
+            if row.name.is_some() || row.rename.is_some() { row } else { stated.range.unwrap_or(row) };
+        let handle = member_name(named.rename.as_ref().map_or(&name.value, |r| &r.value), named, address);
+        let values = self.pick("values", stated, |r| r.values.as_ref());
+        let bits = self.pick("bits", stated, |r| r.bits.as_ref());
         Some(Entry {
             address,
             object,
@@ -203,19 +219,22 @@ impl<'a> Resolver<'a, '_> {
             handle,
             ty,
             access,
-            mapping: self.pick("pdo", row, base, |r| r.pdo.as_ref()),
-            unit: self.pick("unit", row, base, |r| r.unit.as_ref()),
-            min: self.pick("min", row, base, |r| r.min.as_ref()).map(|f| f.map(|c| c.0)),
-            max: self.pick("max", row, base, |r| r.max.as_ref()).map(|f| f.map(|c| c.0)),
+            mapping: self.pick("pdo", stated, |r| r.pdo.as_ref()),
+            unit: self.pick("unit", stated, |r| r.unit.as_ref()),
+            min: self.pick("min", stated, |r| r.min.as_ref()).map(|f| f.map(|c| c.0)),
+            max: self.pick("max", stated, |r| r.max.as_ref()).map(|f| f.map(|c| c.0)),
             allow: self
-                .pick("allow", row, base, |r| r.allow.as_ref())
+                .pick("allow", stated, |r| r.allow.as_ref())
                 .map(|f| f.map(|l| l.iter().map(|c| c.0).collect())),
-            default: self.pick("default", row, base, |r| r.default.as_ref()),
+            default: self.pick("default", stated, |r| r.default.as_ref()),
             values: values.and_then(|f| self.enum_fact(f)),
             bits: bits.and_then(|f| self.bits_fact(f)),
-            text: self.pick("text", row, base, |r| r.text.as_ref()).map(|f| f.value.0),
+            text: self.pick("text", stated, |r| r.text.as_ref()).map(|f| f.value.0),
             note: row.note.as_ref().map(|n| n.value.0.clone()),
             deviation: row.deviation.as_ref().map(|d| d.value.0.clone()),
+            parameter: self.pick("parameter", stated, |r| r.parameter.as_ref()).map(|f| f.map(|p| p.0)),
+            effect: self.pick("effect", stated, |r| r.effect.as_ref()),
+            also: row.also.as_ref().map(|a| a.value.clone()),
         })
     }
 
@@ -268,8 +287,9 @@ impl<'a> Resolver<'a, '_> {
     /// Kind and name of an object, once all its entries are there.
     fn finish(&mut self, object: &mut Object, whole: Option<&'a ObjectRow>, entries: &Arena<EntryId, Entry>) {
         let base = self.base_whole.get(&object.index).copied();
-        let pick_name =
-            |row: Option<&'a ObjectRow>| row.and_then(|r| self.pick("name", r, base, |r| r.name.as_ref()));
+        let pick_name = |row: Option<&'a ObjectRow>| {
+            row.and_then(|r| self.pick("name", Stated { row: r, range: None, base }, |r| r.name.as_ref()))
+        };
         let standard =
             || base.and_then(|(name, r)| r.name.clone().map(|n| self.says(r, Some(name)).fact("name", n)));
         let single = object.entries.len() == 1 && entries[object.entries[0]].address.sub == 0;
@@ -278,7 +298,8 @@ impl<'a> Resolver<'a, '_> {
         } else if !single {
             object.name.origin.class = Class::Inferred("the name of its lowest sub-index".to_owned());
         }
-        let stated = whole.and_then(|r| self.pick("kind", r, base, |r| r.kind.as_ref()));
+        let stated =
+            whole.and_then(|r| self.pick("kind", Stated { row: r, range: None, base }, |r| r.kind.as_ref()));
         let standard = base.and_then(|(name, r)| r.kind.map(|k| self.says(r, Some(name)).fact("kind", k)));
         object.kind = stated.or(standard).unwrap_or_else(|| inferred_kind(object, entries));
     }

@@ -13,6 +13,8 @@ pub enum Kind {
     Text(Option<&'static str>),
     /// One of some words.
     Words(fn() -> Vec<&'static str>),
+    /// `true` or `false`.
+    Bool,
     /// A whole number from, to.
     Int(i128, i128),
     /// A whole number, text, or true/false.

@@ -7,6 +7,8 @@ pub mod address;
 pub mod cite;
 mod decode;
 mod define;
+mod expr;
+mod homing;
 mod kind;
 pub mod tables;
 pub mod value;

@@ -201,6 +201,15 @@ bounded! {
     Width 1..=limits::OBJECT_BITS;
 }
 
+impl FromRaw for bool {
+    const KIND: Kind = Kind::Bool;
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        let RawValue::Bool(value) = raw else { return Err(Expected::kind(raw, "true or false")) };
+        Ok(*value)
+    }
+}
+
 /// A raw count of an object: what 64 bits, signed or not, can hold.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Count(pub i128);

@@ -1,9 +1,11 @@
 //! The model as the structs of [`super::shape`].
 
+use super::behaviour;
 use super::shape::{
-    Alarm, BitField, Bits, Document, Drive, Entry, Enum, EnumValue, Erratum, Identity, Integer, Known,
-    Manual, Object, Pdo, PdoEntry, Unit, Word,
+    Alarm, BitField, Bits, Document, Drive, Entry, Enum, EnumValue, Erratum, Identity, Manual, Object, Pdo,
+    PdoEntry, Unit,
 };
+use super::value::{Integer, Known, Word};
 use crate::facts::by_name;
 use crate::model::{self, Address, Class, Fact, Model, Origin, Value};
 use crate::name::{Case, Name};
@@ -23,12 +25,23 @@ pub(super) fn document(model: &Model) -> Document<'_> {
         bits: by_name(model.bits.as_slice(), |b| &b.name).map(|b| bits(model, b)).collect(),
         pdos: model.pdos.iter().map(|p| pdo(model, p)).collect(),
         alarms: model.alarms.iter().map(|a| alarm(model, a)).collect(),
+        homing: model.homing.iter().map(|m| behaviour::homing(model, m)).collect(),
+        modes: model.modes.iter().map(|m| behaviour::mode(model, m)).collect(),
+        states: model.states.iter().map(|s| behaviour::state(model, s)).collect(),
+        commands: model.commands.iter().map(|c| behaviour::command(model, c)).collect(),
+        aborts: model.aborts.iter().map(|a| behaviour::abort(model, a)).collect(),
+        terminals: model.terminals.iter().map(|t| behaviour::terminal(model, t)).collect(),
+        sync_managers: model.sync_managers.iter().map(|s| behaviour::sync_manager(model, s)).collect(),
+        fmmus: model.fmmus.iter().map(|f| behaviour::fmmu(model, f)).collect(),
+        emcy: model.emcy.iter().map(|e| behaviour::emcy(model, e)).collect(),
+        rules: model.rules.iter().map(|r| behaviour::rule(model, r)).collect(),
+        examples: model.examples.iter().map(|e| behaviour::example(model, e)).collect(),
         errata: model.errata.as_slice().iter().map(erratum).collect(),
     }
 }
 
 /// A value and who says it.
-fn known<'m, T>(model: &'m Model, value: T, origin: &'m Origin) -> Known<'m, T> {
+pub(super) fn known<'m, T>(model: &'m Model, value: T, origin: &'m Origin) -> Known<'m, T> {
     let detail = match &origin.class {
         Class::Stated => None,
         Class::Inferred(rule) => Some(("rule", rule.as_str())),
@@ -44,7 +57,7 @@ fn known<'m, T>(model: &'m Model, value: T, origin: &'m Origin) -> Known<'m, T> 
     }
 }
 
-fn maybe<'m, T, U>(
+pub(super) fn maybe<'m, T, U>(
     model: &'m Model,
     fact: Option<&'m Fact<T>>,
     value: impl Fn(&'m T) -> U,
@@ -128,6 +141,9 @@ fn entry<'m>(model: &'m Model, entry: &'m model::Entry) -> Entry<'m> {
         text: entry.text.as_deref(),
         note: entry.note.as_deref(),
         deviation: entry.deviation.as_deref(),
+        parameter: maybe(model, entry.parameter.as_ref(), String::as_str),
+        effect: maybe(model, entry.effect.as_ref(), |e| Word(*e)),
+        also: entry.also.as_ref().map(ToString::to_string),
     }
 }
 
@@ -221,6 +237,11 @@ fn alarm<'m>(model: &'m Model, alarm: &'m model::Alarm) -> Alarm<'m> {
         reset: maybe(model, alarm.reset.as_ref(), |r| Word(*r)),
         causes: texts(&alarm.causes),
         remedies: texts(&alarm.remedies),
+        esm: maybe(model, alarm.detection.esm.as_ref(), |s| s.iter().copied().map(Word).collect()),
+        esm_after: maybe(model, alarm.detection.esm_after.as_ref(), |s| Word(*s)),
+        sync: maybe(model, alarm.detection.sync.as_ref(), |s| Word(*s)),
+        al_status: maybe(model, alarm.detection.al_status.as_ref(), |n| *n),
+        led: maybe(model, alarm.detection.led.as_ref(), |l| Word(*l)),
     }
 }
 
@@ -232,6 +253,7 @@ fn erratum(erratum: &model::Erratum) -> Erratum<'_> {
         was: &erratum.was,
         seen: erratum.seen.to_string(),
         set: erratum.set.as_deref(),
+        unset: erratum.unset.then_some(true),
         by: erratum.by.as_ref().map(ToString::to_string),
         why: &erratum.why,
         sure: Word(erratum.sure),

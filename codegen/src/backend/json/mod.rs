@@ -3,10 +3,12 @@
 //! [`shape`] is the file as types, [`lower`] fills them from the model, [`layout`] breaks the text into lines, and
 //! [`schema`] describes it from the same types. The file is a format of its own: the model may change behind it.
 
+mod behaviour;
 mod layout;
 mod lower;
 mod schema;
 mod shape;
+mod value;
 
 pub use schema::model_schema;
 

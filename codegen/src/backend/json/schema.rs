@@ -4,7 +4,8 @@
 
 use serde_json::{Map, Value, json};
 
-use super::shape::{Document, Integer, Known, Word, Words};
+use super::shape::Document;
+use super::value::{Integer, Known, Word, Words};
 
 /// A type that the schema can describe.
 pub(super) trait Shape {
@@ -94,6 +95,7 @@ macro_rules! plain {
 plain! {
     &str: json!({ "type": "string" });
     String: json!({ "type": "string" });
+    bool: json!({ "type": "boolean" });
     i8: json!({ "type": "integer", "minimum": i8::MIN, "maximum": i8::MAX });
     u8: json!({ "type": "integer", "minimum": 0, "maximum": u8::MAX });
     u16: json!({ "type": "integer", "minimum": 0, "maximum": u16::MAX });

@@ -5,52 +5,15 @@
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
+use super::behaviour::{
+    Abort, Command, Emcy, Example, Fmmu, Homing, Mode, Rule, State, SyncManager, Terminal,
+};
 use super::schema::{Field, Shape, Struct};
-use crate::model::{Access, Direction, Mapping, ObjectKind, Quantity, Reset, Sure, Type, Worded};
-
-/// Defines structs that are written as JSON objects and described by the schema.
-macro_rules! shapes {
-    ($(
-        $(#[doc = $doc:literal])+
-        $name:ident $(<$lt:lifetime>)? {
-            $( $(#[doc = $field_doc:literal])+ $field:ident $key:literal: $need:ident $ty:ty, )+
-        }
-    )+) => {$(
-        $(#[doc = $doc])+
-        pub(super) struct $name $(<$lt>)? {
-            $( $(#[doc = $field_doc])+ pub(super) $field: shapes!(@type $need $ty), )+
-        }
-
-        impl $(<$lt>)? Struct for $name $(<$lt>)? {
-            const NAME: &'static str = stringify!($name);
-            const DOC: &'static str = concat!($($doc),+);
-            const FIELDS: &'static [Field] = &[$( Field {
-                key: $key,
-                doc: concat!($($field_doc),+),
-                required: shapes!(@required $need),
-                schema: <$ty as Shape>::schema,
-            } ),+];
-        }
-
-        impl $(<$lt>)? Serialize for $name $(<$lt>)? {
-            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-                let mut map = serializer.serialize_map(None)?;
-                $( shapes!(@write $need map, $key, &self.$field); )+
-                map.end()
-            }
-        }
-    )+};
-    (@type required $ty:ty) => { $ty };
-    (@type optional $ty:ty) => { Option<$ty> };
-    (@required required) => { true };
-    (@required optional) => { false };
-    (@write required $map:ident, $key:literal, $value:expr) => { $map.serialize_entry($key, $value)? };
-    (@write optional $map:ident, $key:literal, $value:expr) => {
-        if let Some(value) = $value {
-            $map.serialize_entry($key, value)?;
-        }
-    };
-}
+use super::value::{Integer, Known, Word, shapes};
+use crate::model::{
+    Access, Direction, Effect, EsmAfter, EsmState, Led, Mapping, ObjectKind, Quantity, Reset, Sure, SyncMode,
+    Type,
+};
 
 shapes! {
     /// Facts of a drive for other programs. Written by drivewright; the profile is what people edit.
@@ -75,6 +38,28 @@ shapes! {
         pdos "pdos": required Vec<Pdo<'m>>,
         /// Faults and warnings, by number and display.
         alarms "alarms": required Vec<Alarm<'m>>,
+        /// Homing methods, ascending.
+        homing "homing": required Vec<Homing<'m>>,
+        /// Modes of operation, ascending.
+        modes "modes": required Vec<Mode<'m>>,
+        /// States of the CiA 402 state machine.
+        states "states": required Vec<State<'m>>,
+        /// Commands of the CiA 402 state machine.
+        commands "commands": required Vec<Command<'m>>,
+        /// Abort codes of SDO transfers, ascending.
+        aborts "aborts": required Vec<Abort<'m>>,
+        /// Terminals.
+        terminals "terminals": required Vec<Terminal<'m>>,
+        /// SyncManagers of the EtherCAT slave controller, by number.
+        sync_managers "sync_managers": required Vec<SyncManager<'m>>,
+        /// FMMUs of the EtherCAT slave controller, by number.
+        fmmus "fmmus": required Vec<Fmmu<'m>>,
+        /// The emergency message, by byte.
+        emcy "emcy": required Vec<Emcy<'m>>,
+        /// Rules between values, by id.
+        rules "rules": required Vec<Rule<'m>>,
+        /// Worked examples of the manual, by id and step.
+        examples "examples": required Vec<Example<'m>>,
         /// Where the manual is wrong or contradicts itself, by id.
         errata "errata": required Vec<Erratum<'m>>,
     }
@@ -185,12 +170,18 @@ shapes! {
         values "values": optional Known<'m, &'m str>,
         /// Name of the bit table that names its bits.
         bits "bits": optional Known<'m, &'m str>,
+        /// Number of the parameter on the panel and in the drive's manual.
+        parameter "parameter": optional Known<'m, &'m str>,
+        /// When a written value takes effect.
+        effect "effect": optional Known<'m, Word<Effect>>,
         /// What it is for.
         text "text": optional &'m str,
         /// A remark for the reader.
         note "note": optional &'m str,
         /// Why it may differ from the standard object.
         deviation "deviation": optional &'m str,
+        /// Where the manual prints a row for it again.
+        also "also": optional String,
     }
 
     /// One raw count is `num / den` base units. A count of `0.1 rpm` has `num` 1, `den` 10 and base unit `rpm`.
@@ -309,6 +300,16 @@ shapes! {
         causes "causes": required Vec<Known<'m, &'m str>>,
         /// Remedies.
         remedies "remedies": required Vec<Known<'m, &'m str>>,
+        /// States of the EtherCAT state machine in which it is detected.
+        esm "esm": optional Known<'m, Vec<Word<EsmState>>>,
+        /// State of the EtherCAT state machine after it.
+        esm_after "esm_after": optional Known<'m, Word<EsmAfter>>,
+        /// Synchronization in which it is detected.
+        sync "sync": optional Known<'m, Word<SyncMode>>,
+        /// AL status code that it sets.
+        al_status "al_status": optional Known<'m, u16>,
+        /// What the error indicator shows.
+        led "led": optional Known<'m, Word<Led>>,
     }
 
     /// A place where the manual is wrong or contradicts itself. Values are written as in a profile.
@@ -323,118 +324,15 @@ shapes! {
         was "was": required &'m str,
         /// Where it is printed.
         seen "seen": required String,
-        /// The value used instead; left out, the printed one is kept.
+        /// The value used instead; left out, the printed one is kept or dropped.
         set "set": optional &'m str,
+        /// `true`: the printed value is dropped, and nothing takes its place.
+        unset "unset": optional bool,
         /// Where the other reading is printed.
         by "by": optional String,
         /// Why.
         why "why": required &'m str,
         /// How sure.
         sure "sure": required Word<Sure>,
-    }
-}
-
-/// A value and who says it.
-pub(super) struct Known<'m, T> {
-    pub(super) value: T,
-    /// `stated`, `inferred`, `standard` or `assumed`.
-    pub(super) class: &'static str,
-    /// Key and text of what comes with the class.
-    pub(super) detail: Option<(&'static str, &'m str)>,
-    pub(super) cite: Option<String>,
-    pub(super) erratum: Option<&'m str>,
-}
-
-impl<T: Serialize> Serialize for Known<'_, T> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("value", &self.value)?;
-        map.serialize_entry("class", self.class)?;
-        if let Some((key, text)) = self.detail {
-            map.serialize_entry(key, text)?;
-        }
-        if let Some(cite) = &self.cite {
-            map.serialize_entry("cite", cite)?;
-        }
-        if let Some(erratum) = self.erratum {
-            map.serialize_entry("erratum", erratum)?;
-        }
-        map.end()
-    }
-}
-
-/// A whole number of up to 64 bits. Beyond 2^53 - 1 it is written as text in decimal, because many readers of JSON would
-/// round it.
-#[derive(Clone, Copy)]
-pub(super) struct Integer(pub(super) i128);
-
-impl Integer {
-    /// The largest that every reader keeps exact.
-    pub(super) const EXACT: i64 = (1 << 53) - 1;
-}
-
-impl Serialize for Integer {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match i64::try_from(self.0).ok().filter(|n| n.unsigned_abs() <= Self::EXACT.unsigned_abs()) {
-            Some(n) => serializer.serialize_i64(n),
-            None => serializer.collect_str(&self.0),
-        }
-    }
-}
-
-/// A value written as a word.
-pub(super) struct Word<T>(pub(super) T);
-
-impl<T: Words> Serialize for Word<T> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.0.text())
-    }
-}
-
-/// Values that a fixed list of words stands for.
-pub(super) trait Words: Sized {
-    /// Its word.
-    fn text(&self) -> &'static str;
-    /// Every word.
-    fn all() -> Vec<&'static str>;
-}
-
-impl<T: Worded> Words for T {
-    fn text(&self) -> &'static str {
-        self.word()
-    }
-
-    fn all() -> Vec<&'static str> {
-        T::ALL.iter().map(|value| value.word()).collect()
-    }
-}
-
-impl Words for Quantity {
-    fn text(&self) -> &'static str {
-        self.name()
-    }
-
-    fn all() -> Vec<&'static str> {
-        Self::ALL.iter().map(|quantity| quantity.name()).collect()
-    }
-}
-
-impl Words for Type {
-    fn text(&self) -> &'static str {
-        self.word()
-    }
-
-    fn all() -> Vec<&'static str> {
-        Self::words().collect()
-    }
-}
-
-impl Words for Mapping {
-    fn text(&self) -> &'static str {
-        self.word()
-    }
-
-    fn all() -> Vec<&'static str> {
-        Self::ALL.map(Self::word).to_vec()
     }
 }

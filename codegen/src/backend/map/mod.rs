@@ -51,6 +51,10 @@ fn widths(table: Table) -> (usize, usize) {
         Table::Objects => (14, 9),
         Table::Enums | Table::Bits => (32, 9),
         Table::Alarms | Table::Errata => (16, 9),
+        Table::Homing | Table::Modes | Table::EtherCat | Table::Emcy | Table::Rules | Table::Examples => {
+            (14, 9)
+        }
+        Table::States | Table::Commands | Table::Aborts | Table::Terminals => (32, 11),
     }
 }
 

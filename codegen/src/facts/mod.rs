@@ -3,12 +3,12 @@
 //! Each value that the model holds is one line. Lines come table by table, in each by key (numbers as numbers), and in
 //! each row by a fixed order of fields. Nothing here escapes or aligns: that is the work of who prints a line.
 
+mod behaviour;
+mod dictionary;
+
 use std::borrow::Cow;
 
-use crate::model::{
-    Alarm, BitField, BitsDef, Cite, Class, Drive, Entry, EnumDef, Erratum, Fact, Manual, Model, Object,
-    Origin, Pdo, Value,
-};
+use crate::model::{Cite, Class, Fact, Model, Origin, Worded};
 use crate::name::Name;
 
 /// A table of the model.
@@ -28,6 +28,26 @@ pub enum Table {
     Alarms,
     /// Default process data.
     Pdos,
+    /// Homing methods and their cases.
+    Homing,
+    /// Modes of operation.
+    Modes,
+    /// States of the CiA 402 state machine.
+    States,
+    /// Its commands.
+    Commands,
+    /// Abort codes of SDO transfers.
+    Aborts,
+    /// Terminals.
+    Terminals,
+    /// SyncManagers and FMMUs.
+    EtherCat,
+    /// The emergency message.
+    Emcy,
+    /// Rules between values.
+    Rules,
+    /// Worked examples.
+    Examples,
     /// Where the manual is wrong.
     Errata,
 }
@@ -95,14 +115,25 @@ impl Totals {
 /// Every fact of `model`.
 pub fn facts(model: &Model) -> Vec<FactLine<'_>> {
     let mut lines = Lines { model, table: Table::Drive, key: String::new(), out: Vec::new() };
-    drive(&model.drive, &mut lines);
-    model.manuals.iter().for_each(|m| manual(m, &mut lines));
-    model.objects.as_slice().iter().for_each(|o| object(o, &mut lines));
-    by_name(model.enums.as_slice(), |e| &e.name).for_each(|e| enumeration(e, &mut lines));
-    by_name(model.bits.as_slice(), |b| &b.name).for_each(|b| bits(b, &mut lines));
-    model.alarms.iter().for_each(|a| alarm(a, &mut lines));
-    model.pdos.iter().for_each(|p| pdo(p, &mut lines));
-    model.errata.as_slice().iter().for_each(|e| erratum(e, &mut lines));
+    dictionary::drive(&model.drive, &mut lines);
+    model.manuals.iter().for_each(|m| dictionary::manual(m, &mut lines));
+    model.objects.as_slice().iter().for_each(|o| dictionary::object(o, &mut lines));
+    by_name(model.enums.as_slice(), |e| &e.name).for_each(|e| dictionary::enumeration(e, &mut lines));
+    by_name(model.bits.as_slice(), |b| &b.name).for_each(|b| dictionary::bits(b, &mut lines));
+    model.alarms.iter().for_each(|a| dictionary::alarm(a, &mut lines));
+    model.pdos.iter().for_each(|p| dictionary::pdo(p, &mut lines));
+    model.homing.iter().for_each(|m| behaviour::homing(m, &mut lines));
+    model.modes.iter().for_each(|m| behaviour::mode(m, &mut lines));
+    model.states.iter().for_each(|s| behaviour::state(s, &mut lines));
+    model.commands.iter().for_each(|c| behaviour::command(c, &mut lines));
+    model.aborts.iter().for_each(|a| behaviour::abort(a, &mut lines));
+    model.terminals.iter().for_each(|t| behaviour::terminal(t, &mut lines));
+    model.sync_managers.iter().for_each(|s| behaviour::sync_manager(s, &mut lines));
+    model.fmmus.iter().for_each(|f| behaviour::fmmu(f, &mut lines));
+    model.emcy.iter().for_each(|e| behaviour::emcy(e, &mut lines));
+    model.rules.iter().for_each(|r| behaviour::rule(r, &mut lines));
+    model.examples.iter().for_each(|e| behaviour::example(e, &mut lines));
+    model.errata.as_slice().iter().for_each(|e| behaviour::erratum(e, &mut lines));
     lines.out
 }
 
@@ -179,137 +210,9 @@ impl<'m> Lines<'m> {
     }
 }
 
-fn drive<'m>(drive: &'m Drive, lines: &mut Lines<'m>) {
-    lines.row(Table::Drive, "drive".to_owned());
-    lines.own("id", &drive.id);
-    lines.own("package", &drive.package);
-    lines.own("vendor", &drive.vendor);
-    lines.own("name", &drive.name);
-    let bases = drive.bases.join(" ");
-    lines.own_text("bases", Some(&bases).filter(|b| !b.is_empty()));
-    lines.own("crate_version", &drive.crate_version);
-    lines.own("eds_version", &drive.eds_version);
-    lines.own("eds_revision", &drive.eds_revision);
-    lines.own("date", &drive.date);
-    lines.fact("pdo_entries", drive.limits.pdo_entries.as_ref(), u8::to_string);
-    lines.fact("pdo_bytes", drive.limits.pdo_bytes.as_ref(), u16::to_string);
-    lines.fact("pdos_per_direction", drive.limits.pdos_per_direction.as_ref(), u8::to_string);
-}
-
-fn manual<'m>(manual: &'m Manual, lines: &mut Lines<'m>) {
-    lines.row(Table::Manuals, format!("manual {}", manual.id));
-    lines.own("title", &manual.title);
-    lines.own("version", &manual.version);
-    lines.own_text("date", manual.date.as_ref());
-    lines.own("sha256", &manual.sha256);
-    lines.own("lines", &manual.lines);
-}
-
-fn object<'m>(object: &'m Object, lines: &mut Lines<'m>) {
-    let entries = object.entries.iter().map(|id| &lines.model.entries[*id]).collect::<Vec<_>>();
-    lines.row(Table::Objects, format!("object {:04X}", object.index));
-    // The name of a variable is that of its entry.
-    if !matches!(entries.as_slice(), [only] if only.address.sub == 0) {
-        lines.said("name", &object.name.value, &object.name.origin);
-    }
-    lines.said("kind", object.kind.value.word(), &object.kind.origin);
-    for each in entries {
-        entry(each, lines);
-    }
-}
-
-fn entry<'m>(entry: &'m Entry, lines: &mut Lines<'m>) {
-    lines.row(Table::Objects, format!("object {}", entry.address));
-    lines.said("name", &entry.name.value, &entry.name.origin);
-    lines.rename(&entry.name.value, &entry.handle);
-    lines.said("type", &entry.ty.value, &entry.ty.origin);
-    lines.said("access", entry.access.value.word(), &entry.access.origin);
-    lines.fact("pdo", entry.mapping.as_ref(), |m| m.word().to_owned());
-    lines.fact("unit", entry.unit.as_ref(), ToString::to_string);
-    lines.fact("min", entry.min.as_ref(), i128::to_string);
-    lines.fact("max", entry.max.as_ref(), i128::to_string);
-    lines.fact("allow", entry.allow.as_ref(), |list| numbers(list));
-    lines.fact("default", entry.default.as_ref(), value);
-    let model = lines.model;
-    lines.fact("values", entry.values.as_ref(), |id| model.enums[*id].name.to_string());
-    lines.fact("bits", entry.bits.as_ref(), |id| model.bits[*id].name.to_string());
-    lines.own_text("text", entry.text.as_ref());
-    lines.own_text("note", entry.note.as_ref());
-    lines.own_text("deviation", entry.deviation.as_ref());
-}
-
-fn numbers(list: &[i128]) -> String {
-    format!("[{}]", list.iter().map(i128::to_string).collect::<Vec<_>>().join(", "))
-}
-
-fn value(value: &Value) -> String {
-    match value {
-        Value::Int(n) => n.to_string(),
-        Value::Text(text) => format!("\"{text}\""),
-    }
-}
-
-fn enumeration<'m>(table: &'m EnumDef, lines: &mut Lines<'m>) {
-    for value in &table.values {
-        lines.row(Table::Enums, format!("enum {} {}", table.name, value.value));
-        lines.said("label", &value.printed, &value.name.origin);
-        lines.rename(&value.printed, &value.name.value);
-        lines.own_text("text", value.text.as_ref());
-    }
-}
-
-fn bits<'m>(table: &'m BitsDef, lines: &mut Lines<'m>) {
-    for field in &table.fields {
-        lines.row(Table::Bits, format!("bits {} {}{}", table.name, field.bit, mode(field)));
-        if field.width != 1 {
-            lines.said("width", &field.width, &field.name.origin);
-        }
-        lines.said("label", &field.printed, &field.name.origin);
-        lines.rename(&field.printed, &field.name.value);
-        lines.own_text("text", field.text.as_ref());
-        lines.own_text("deviation", field.deviation.as_ref());
-    }
-}
-
-fn mode(field: &BitField) -> String {
-    field.mode.map_or_else(String::new, |mode| format!(" mode {mode}"))
-}
-
-fn alarm<'m>(alarm: &'m Alarm, lines: &mut Lines<'m>) {
-    lines.row(Table::Alarms, format!("alarm {} 0x{:02X}", alarm.display, alarm.number.value));
-    lines.said("name", &alarm.printed, &alarm.name.origin);
-    lines.rename(&alarm.printed, &alarm.name.value);
-    lines.fact("number", Some(&alarm.number), |n| format!("0x{n:02X}"));
-    lines.fact("code", Some(&alarm.code), |n| format!("0x{n:04X}"));
-    lines.fact("aux", alarm.aux.as_ref(), |n| format!("0x{n:04X}"));
-    lines.fact("reset", alarm.reset.as_ref(), |r| r.word().to_owned());
-    for (word, list) in [("cause", &alarm.causes), ("remedy", &alarm.remedies)] {
-        for (n, text) in (1..).zip(list) {
-            lines.said(format!("{word} {n}"), &text.value, &text.origin);
-        }
-    }
-}
-
-fn pdo<'m>(pdo: &'m Pdo, lines: &mut Lines<'m>) {
-    lines.row(Table::Pdos, format!("pdo {:04X}", pdo.index));
-    lines.said("dir", pdo.direction.word(), &pdo.origin);
-    for mapped in &pdo.entries {
-        lines.row(Table::Pdos, format!("pdo {:04X} {}", pdo.index, mapped.position));
-        lines.said("entry", &lines.model.entries[mapped.entry].address, &mapped.origin);
-        lines.fact("bits", Some(&mapped.bits), u8::to_string);
-    }
-}
-
-/// The values of an erratum carry the places where they are printed, and are no facts of their own.
-fn erratum<'m>(erratum: &'m Erratum, lines: &mut Lines<'m>) {
-    lines.row(Table::Errata, format!("erratum {}", erratum.id));
-    lines.own("at", &erratum.at);
-    lines.own("field", &erratum.field);
-    lines.line("was".into(), erratum.was.clone(), (None, Some(&erratum.seen), None));
-    let set = erratum.set.clone().unwrap_or_else(|| "the printed value is kept".to_owned());
-    lines.line("set".into(), set, (None, erratum.by.as_ref(), None));
-    lines.own("why", &erratum.why);
-    lines.own("sure", erratum.sure.word());
+/// Words with blanks between.
+fn words<T: Worded>(list: &[T]) -> String {
+    list.iter().map(|item| item.word()).collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]

@@ -1,0 +1,157 @@
+//! What the values of `model.json` are made of: facts, whole numbers, words, and the macro that makes structs of them.
+
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
+
+use crate::model::{Mapping, Quantity, Type, Worded};
+
+/// Defines structs that are written as JSON objects and described by the schema.
+macro_rules! shapes {
+    ($(
+        $(#[doc = $doc:literal])+
+        $name:ident $(<$lt:lifetime>)? {
+            $( $(#[doc = $field_doc:literal])+ $field:ident $key:literal: $need:ident $ty:ty, )+
+        }
+    )+) => {$(
+        $(#[doc = $doc])+
+        pub(super) struct $name $(<$lt>)? {
+            $( $(#[doc = $field_doc])+ pub(super) $field: shapes!(@type $need $ty), )+
+        }
+
+        impl $(<$lt>)? Struct for $name $(<$lt>)? {
+            const NAME: &'static str = stringify!($name);
+            const DOC: &'static str = concat!($($doc),+);
+            const FIELDS: &'static [Field] = &[$( Field {
+                key: $key,
+                doc: concat!($($field_doc),+),
+                required: shapes!(@required $need),
+                schema: <$ty as Shape>::schema,
+            } ),+];
+        }
+
+        impl $(<$lt>)? Serialize for $name $(<$lt>)? {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                let mut map = serializer.serialize_map(None)?;
+                $( shapes!(@write $need map, $key, &self.$field); )+
+                map.end()
+            }
+        }
+    )+};
+    (@type required $ty:ty) => { $ty };
+    (@type optional $ty:ty) => { Option<$ty> };
+    (@required required) => { true };
+    (@required optional) => { false };
+    (@write required $map:ident, $key:literal, $value:expr) => { $map.serialize_entry($key, $value)? };
+    (@write optional $map:ident, $key:literal, $value:expr) => {
+        if let Some(value) = $value {
+            $map.serialize_entry($key, value)?;
+        }
+    };
+}
+
+pub(super) use shapes;
+
+/// A value and who says it.
+pub(super) struct Known<'m, T> {
+    pub(super) value: T,
+    /// `stated`, `inferred`, `standard` or `assumed`.
+    pub(super) class: &'static str,
+    /// Key and text of what comes with the class.
+    pub(super) detail: Option<(&'static str, &'m str)>,
+    pub(super) cite: Option<String>,
+    pub(super) erratum: Option<&'m str>,
+}
+
+impl<T: Serialize> Serialize for Known<'_, T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("value", &self.value)?;
+        map.serialize_entry("class", self.class)?;
+        if let Some((key, text)) = self.detail {
+            map.serialize_entry(key, text)?;
+        }
+        if let Some(cite) = &self.cite {
+            map.serialize_entry("cite", cite)?;
+        }
+        if let Some(erratum) = self.erratum {
+            map.serialize_entry("erratum", erratum)?;
+        }
+        map.end()
+    }
+}
+
+/// A whole number of up to 64 bits. Beyond 2^53 - 1 it is written as text in decimal, because many readers of JSON would
+/// round it.
+#[derive(Clone, Copy)]
+pub(super) struct Integer(pub(super) i128);
+
+impl Integer {
+    /// The largest that every reader keeps exact.
+    pub(super) const EXACT: i64 = (1 << 53) - 1;
+}
+
+impl Serialize for Integer {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match i64::try_from(self.0).ok().filter(|n| n.unsigned_abs() <= Self::EXACT.unsigned_abs()) {
+            Some(n) => serializer.serialize_i64(n),
+            None => serializer.collect_str(&self.0),
+        }
+    }
+}
+
+/// A value written as a word.
+pub(super) struct Word<T>(pub(super) T);
+
+impl<T: Words> Serialize for Word<T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.0.text())
+    }
+}
+
+/// Values that a fixed list of words stands for.
+pub(super) trait Words: Sized {
+    /// Its word.
+    fn text(&self) -> &'static str;
+    /// Every word.
+    fn all() -> Vec<&'static str>;
+}
+
+impl<T: Worded> Words for T {
+    fn text(&self) -> &'static str {
+        self.word()
+    }
+
+    fn all() -> Vec<&'static str> {
+        T::ALL.iter().map(|value| value.word()).collect()
+    }
+}
+
+impl Words for Quantity {
+    fn text(&self) -> &'static str {
+        self.name()
+    }
+
+    fn all() -> Vec<&'static str> {
+        Self::ALL.iter().map(|quantity| quantity.name()).collect()
+    }
+}
+
+impl Words for Type {
+    fn text(&self) -> &'static str {
+        self.word()
+    }
+
+    fn all() -> Vec<&'static str> {
+        Self::words().collect()
+    }
+}
+
+impl Words for Mapping {
+    fn text(&self) -> &'static str {
+        self.word()
+    }
+
+    fn all() -> Vec<&'static str> {
+        Self::ALL.map(Self::word).to_vec()
+    }
+}

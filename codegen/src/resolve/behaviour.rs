@@ -1,0 +1,233 @@
+//! Modes, states, commands, abort codes, terminals, the EtherCAT side, rules and examples: tables that nothing else refers
+//! to. Each is sorted by its key; of two rows with one key the second is reported.
+
+use super::origin::Says;
+use crate::diag::{Diagnostic, Sink, code};
+use crate::merge::Profile;
+use crate::model::{
+    Abort, Address, Cite, Command, EmcyPart, Entries, Example, Fact, Fmmu, Mode, Model, Rule, State,
+    SyncManager, Terminal,
+};
+use crate::rows::address::Sub;
+use crate::rows::tables::{
+    AbortRow, CommandRow, EmcyRow, ErratumRow, ExampleRow, FmmuRow, ModeRow, RuleRow, StateRow,
+    SyncManagerRow, TerminalRow,
+};
+use crate::rows::value::{Reason, Text};
+use crate::rows::{Meta, Row};
+use crate::source::Sp;
+
+/// Fills the tables of `model`.
+pub(super) fn fill(model: &mut Model, profile: &Profile, sink: &mut Sink) {
+    let (rows, errata) = (&profile.rows, profile.rows.errata.as_slice());
+    model.modes = sorted(&rows.modes, |r| r.mode.value, sink).map(|r| mode(r, errata)).collect();
+    // States and commands stay in the order of the manual.
+    model.states = distinct(&rows.states, sink).map(|r| state(r, errata)).collect();
+    model.commands = distinct(&rows.commands, sink).map(|r| command(r, errata)).collect();
+    model.aborts = sorted(&rows.aborts, |r| r.code.value, sink).map(|r| abort(r, errata)).collect();
+    model.terminals = distinct(&rows.io, sink).map(|r| terminal(r, errata)).collect();
+    model.sync_managers =
+        sorted(&rows.sync_managers, |r| r.number.value, sink).map(|r| sync_manager(r, errata)).collect();
+    model.fmmus = sorted(&rows.fmmus, |r| r.number.value, sink).map(|r| fmmu(r, errata)).collect();
+    model.emcy = sorted(&rows.emcy, |r| r.byte.value, sink).map(|r| emcy(r, errata)).collect();
+    model.rules = sorted(&rows.rules, |r| r.id.value.clone(), sink).map(|r| rule(r, errata)).collect();
+    let key = |r: &ExampleRow| (r.id.value.clone(), r.step.map(|s| s.value));
+    model.examples = sorted(&rows.examples, key, sink).map(|r| example(r, errata)).collect();
+    objects_exist(model, sink);
+}
+
+/// Rows by `key`, each once.
+pub(super) fn sorted<'a, R: Row, K: Ord>(
+    rows: &'a [R],
+    key: impl Fn(&R) -> K,
+    sink: &mut Sink,
+) -> impl Iterator<Item = &'a R> {
+    let mut sorted: Vec<&R> = rows.iter().collect();
+    sorted.sort_by_key(|r| (key(r), r.meta().span()));
+    once(sorted, sink)
+}
+
+/// Rows in the order of the profile, each name once.
+fn distinct<'a, R: Row>(rows: &'a [R], sink: &mut Sink) -> impl Iterator<Item = &'a R> {
+    let mut rows: Vec<&R> = rows.iter().collect();
+    // The order of files means nothing; that of rows in one file is the manual's.
+    rows.sort_by_key(|r| r.meta().span());
+    once(rows, sink)
+}
+
+fn once<'a, R: Row>(rows: Vec<&'a R>, sink: &mut Sink) -> impl Iterator<Item = &'a R> {
+    let mut seen = std::collections::BTreeMap::new();
+    let mut out = Vec::with_capacity(rows.len());
+    for row in rows {
+        match seen.get(&row.key()) {
+            Some(first) => crate::merge::duplicate(row, *first, sink),
+            None => {
+                seen.insert(row.key(), row);
+                out.push(row);
+            }
+        }
+    }
+    out.into_iter()
+}
+
+fn plain<'a>(meta: &'a Meta, src: Option<&'a Sp<Cite>>, errata: &'a [ErratumRow]) -> Says<'a> {
+    Says::plain(meta, src, errata)
+}
+
+/// A row with inferred fields.
+fn reasoned<'a>(
+    meta: &'a Meta,
+    src: Option<&'a Sp<Cite>>,
+    inferred: Option<&'a Sp<Vec<Reason>>>,
+    errata: &'a [ErratumRow],
+) -> Says<'a> {
+    Says { inferred: inferred.map_or(&[], |i| &i.value), ..Says::plain(meta, src, errata) }
+}
+
+fn text(text: Option<&Sp<Text>>) -> Option<String> {
+    text.map(|t| t.value.0.clone())
+}
+
+/// The fact of a key that may be left out, as `convert` has it.
+fn maybe<T: Clone, U>(
+    says: &Says<'_>,
+    key: &str,
+    value: Option<&Sp<T>>,
+    convert: impl Fn(T) -> U,
+) -> Option<Fact<U>> {
+    value.map(|v| says.fact(key, v.clone().map(&convert)))
+}
+
+fn mode(row: &ModeRow, errata: &[ErratumRow]) -> Mode {
+    let says = plain(&row.meta, row.src.as_ref(), errata);
+    let listed = plain(&row.meta, row.objects_src.as_ref().or(row.src.as_ref()), errata);
+    Mode {
+        number: row.mode.value,
+        name: says.joint(&["name", "mode"], row.name.clone()),
+        objects: maybe(&listed, "objects", row.objects.as_ref(), |o| o),
+        text: text(row.text.as_ref()),
+    }
+}
+
+fn state(row: &StateRow, errata: &[ErratumRow]) -> State {
+    let says = plain(&row.meta, row.src.as_ref(), errata);
+    State {
+        name: says.fact("name", row.name.clone()),
+        mask: says.fact("mask", row.mask),
+        value: says.fact("value", row.value),
+    }
+}
+
+fn command(row: &CommandRow, errata: &[ErratumRow]) -> Command {
+    let says = plain(&row.meta, row.src.as_ref(), errata);
+    Command {
+        name: says.fact("name", row.name.clone()),
+        mask: says.fact("mask", row.mask),
+        value: says.fact("value", row.value),
+        edge: maybe(&says, "edge", row.edge.as_ref(), |e| e),
+        transitions: maybe(&says, "transitions", row.transitions.as_ref(), |t| t),
+    }
+}
+
+fn abort(row: &AbortRow, errata: &[ErratumRow]) -> Abort {
+    let says = plain(&row.meta, row.src.as_ref(), errata);
+    Abort { code: says.fact("code", row.code), name: says.fact("name", row.name.clone().map(|n| n.0)) }
+}
+
+fn terminal(row: &TerminalRow, errata: &[ErratumRow]) -> Terminal {
+    let says = reasoned(&row.meta, row.src.as_ref(), row.inferred.as_ref(), errata);
+    Terminal {
+        name: row.terminal.value.0.clone(),
+        kind: says.fact("kind", row.kind),
+        pin: maybe(&says, "pin", row.pin.as_ref(), |p| p),
+        object: maybe(&says, "object", row.object.as_ref(), |o| o),
+        bit: maybe(&says, "bit", row.bit.as_ref(), |b| b.0),
+        parameter: maybe(&says, "parameter", row.parameter.as_ref(), |p| p.0),
+        text: text(row.text.as_ref()),
+        note: text(row.note.as_ref()),
+    }
+}
+
+fn sync_manager(row: &SyncManagerRow, errata: &[ErratumRow]) -> SyncManager {
+    let says = plain(&row.meta, row.src.as_ref(), errata);
+    SyncManager { number: row.number.value, carries: says.joint(&["use", "number"], row.use_) }
+}
+
+fn fmmu(row: &FmmuRow, errata: &[ErratumRow]) -> Fmmu {
+    let says = plain(&row.meta, row.src.as_ref(), errata);
+    Fmmu { number: row.number.value, maps: says.joint(&["use", "number"], row.use_) }
+}
+
+fn emcy(row: &EmcyRow, errata: &[ErratumRow]) -> EmcyPart {
+    let says = reasoned(&row.meta, row.src.as_ref(), row.inferred.as_ref(), errata);
+    EmcyPart {
+        byte: row.byte.value,
+        bytes: says.fact("bytes", row.bytes),
+        holds: says.joint(&["holds", "byte"], row.holds),
+        text: text(row.text.as_ref()),
+    }
+}
+
+fn rule(row: &RuleRow, errata: &[ErratumRow]) -> Rule {
+    let says = plain(&row.meta, row.src.as_ref(), errata);
+    Rule {
+        id: row.id.value.0.clone(),
+        text: says.fact("text", row.text.clone().map(|t| t.0)),
+        require: maybe(&says, "require", row.require.as_ref(), |e| e),
+        when: maybe(&says, "when", row.when.as_ref(), |e| e),
+        on: maybe(&says, "on", row.on.as_ref(), |o| o),
+    }
+}
+
+fn example(row: &ExampleRow, errata: &[ErratumRow]) -> Example {
+    let says = plain(&row.meta, row.src.as_ref(), errata);
+    let count = |key, value: Option<&_>| maybe(&says, key, value, |c: crate::rows::value::Count| c.0);
+    Example {
+        id: row.id.value.0.clone(),
+        step: row.step.map(|s| s.value),
+        write: maybe(&says, "write", row.write.as_ref(), |at| {
+            let (first, last) = match at.sub {
+                Sub::Whole => (0, 0),
+                Sub::One(sub) => (sub, sub),
+                Sub::Range(first, last) => (first, last),
+            };
+            Entries { first: Address::new(at.index, first), last }
+        }),
+        entry: maybe(&says, "entry", row.entry.as_ref(), |e| e),
+        bits: maybe(&says, "bits", row.bits.as_ref(), |b| b),
+        parameter: maybe(&says, "parameter", row.parameter.as_ref(), |p| p.0),
+        value: count("value", row.value.as_ref()),
+        min: count("min", row.min.as_ref()),
+        max: count("max", row.max.as_ref()),
+        text: text(row.text.as_ref()),
+    }
+}
+
+/// Every object that modes, terminals, rules and examples name must be there.
+fn objects_exist(model: &Model, sink: &mut Sink) {
+    let mut named: Vec<(Address, crate::source::Span)> = Vec::new();
+    for mode in &model.modes {
+        named.extend(mode.objects.iter().flat_map(|f| f.value.iter().map(|a| (*a, f.span()))));
+    }
+    named.extend(model.terminals.iter().filter_map(|t| t.object.as_ref()).map(|f| (f.value, f.span())));
+    for rule in &model.rules {
+        let parts = rule.require.iter().chain(&rule.when);
+        named.extend(parts.flat_map(|f| f.value.objects().map(|a| (a, f.span()))));
+    }
+    for example in &model.examples {
+        named.extend(example.entry.iter().map(|f| (f.value, f.span())));
+        named.extend(example.write.iter().flat_map(|f| {
+            let Entries { first, last } = f.value;
+            [first, Address::new(first.index, last)].map(|address| (address, f.span()))
+        }));
+    }
+    for (address, span) in named {
+        if model.entry(address).is_none() {
+            sink.push(
+                Diagnostic::new(code::UNKNOWN_OBJECT, span, format!("there is no object {address}"))
+                    .why("what is said of an object that the dictionary does not have cannot be checked")
+                    .help("add a row to `objects`, or correct the address"),
+            );
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! Homing methods: rows of one method joined, references to other methods followed.
+
+use std::collections::BTreeMap;
+
+use super::origin::Says;
+use crate::diag::{Diagnostic, Sink, code};
+use crate::merge::Profile;
+use crate::model::{Fact, HomingCase, HomingMethod, HomingStatus};
+use crate::rows::tables::{ErratumRow, HomingRow};
+use crate::source::Sp;
+
+/// The methods, ascending.
+pub(super) fn methods(profile: &Profile, sink: &mut Sink) -> Vec<HomingMethod> {
+    let mut groups: BTreeMap<i8, Vec<&HomingRow>> = BTreeMap::new();
+    let by_case = |r: &HomingRow| (r.method.value, r.case.map(|c| c.value));
+    let errata = profile.rows.errata.as_slice();
+    // Rows without a number of their own are cases in the order written.
+    let mut rows: Vec<&HomingRow> = profile.rows.homing.iter().collect();
+    rows.sort_by_key(|r| (by_case(r), r.meta.span()));
+    for row in rows {
+        groups.entry(row.method.value).or_default().push(row);
+    }
+    let methods: Vec<HomingMethod> = groups.values().map(|rows| method(rows, errata, sink)).collect();
+    for method in &methods {
+        reference(method, &methods, sink);
+    }
+    methods
+}
+
+fn method(rows: &[&HomingRow], errata: &[ErratumRow], sink: &mut Sink) -> HomingMethod {
+    for pair in rows.windows(2) {
+        let same_case = pair[0].case.is_some() && pair[0].case == pair[1].case;
+        let same_start = pair[0].case.is_none() && pair[0].when == pair[1].when;
+        if same_case || same_start {
+            crate::merge::duplicate(pair[1], pair[0], sink);
+        }
+    }
+    for row in rows {
+        complete(row, sink);
+    }
+    let first = rows[0];
+    let says = says(first, errata);
+    let status = first.status.unwrap_or(Sp::new(HomingStatus::Supported, first.meta.span()));
+    let text = |t: Option<&Sp<crate::rows::value::Text>>| t.map(|t| t.value.0.clone());
+    HomingMethod {
+        number: first.method.value,
+        status: says.joint(&["status", "method"], status),
+        same: first.same.map(|v| says.fact("same", v)),
+        start: first.start.map(|v| says.fact("start", v)),
+        approach: first.approach.map(|v| says.fact("approach", v)),
+        reference: first.reference.map(|v| says.fact("reference", v)),
+        side: first.side.map(|v| says.fact("side", v)),
+        edge: first.edge.map(|v| says.fact("edge", v)),
+        cases: rows.iter().filter_map(|row| case(row, errata)).collect(),
+        text: text(first.text.as_ref()),
+        note: text(first.note.as_ref()),
+        deviation: text(first.deviation.as_ref()),
+    }
+}
+
+fn says<'a>(row: &'a HomingRow, errata: &'a [ErratumRow]) -> Says<'a> {
+    let inferred = row.inferred.as_ref().map_or(&[][..], |i| &i.value);
+    Says { inferred, ..Says::plain(&row.meta, row.src.as_ref(), errata) }
+}
+
+fn case(row: &HomingRow, errata: &[ErratumRow]) -> Option<HomingCase> {
+    let says = says(row, errata);
+    let (when, moves) = (row.when.clone()?, row.moves.clone()?);
+    Some(HomingCase {
+        number: row.case.map(|c| c.value),
+        when: says.fact("when", when),
+        moves: says.fact("moves", moves),
+        abort: row.abort.clone().map(|v| says.fact("abort", v)),
+        mask: row.mask.clone().map(|v| says.fact("mask", v)),
+        note: row.note.as_ref().map(|n| n.value.0.clone()),
+    })
+}
+
+fn wrong(span: crate::source::Span, message: String, help: &str) -> Diagnostic {
+    Diagnostic::new(code::HOMING_ROWS, span, message)
+        .why("a method that is half said would be executed some other way")
+        .help(help)
+}
+
+/// A row has a start and a program, or refers to another method, or says that there is none.
+fn complete(row: &HomingRow, sink: &mut Sink) {
+    let method = row.method.value;
+    let absent = row.status.is_some_and(|s| s.value != HomingStatus::Supported);
+    match (row.when.is_some(), row.moves.is_some()) {
+        (true, false) => sink.push(wrong(
+            row.meta.span(),
+            format!("`homing {method}` has a start and no moves"),
+            "add `moves = ...`; where the manual does not say, end them with `not stated`",
+        )),
+        (false, true) => sink.push(wrong(
+            row.meta.span(),
+            format!("`homing {method}` has moves and no start"),
+            "add `when = ...`; `any` holds for every start",
+        )),
+        (true, true) if row.same.is_some() || absent => sink.push(wrong(
+            row.meta.span(),
+            format!("`homing {method}` has a program, and says that there is none of its own"),
+            "remove `when` and `moves`, or `same` and `status`",
+        )),
+        (false, false) if row.same.is_none() && !absent => sink.push(wrong(
+            row.meta.span(),
+            format!("`homing {method}` says nothing"),
+            "add `when` and `moves`, or `same`, or `status = \"reserved\"`",
+        )),
+        _ => {}
+    }
+}
+
+/// A method that is the same as another needs that one, with a program of its own.
+fn reference(method: &HomingMethod, methods: &[HomingMethod], sink: &mut Sink) {
+    let Some(Fact { value: same, origin }) = &method.same else { return };
+    let found = methods.iter().find(|m| m.number == *same && !m.cases.is_empty());
+    if found.is_none() {
+        sink.push(wrong(
+            origin.span,
+            format!("`homing {}` is the same as {same}, which has no program", method.number),
+            "name a method that has rows with `moves`",
+        ));
+    }
+}
