@@ -26,19 +26,27 @@ pub fn run(root: &Path, options: &Options) -> End {
         return End::Usage;
     }
     let mut end = End::Fine;
-    let mut packages = Vec::new();
+    let mut packages = Some(Vec::new());
     for profile in &profiles {
         let wanted = options.drives.is_empty() || options.drives.contains(&profile.id);
         match self::profile(profile, root, options, wanted) {
             Ok((package, one)) => {
-                packages.extend(package);
+                packages = packages.zip(package).map(|(mut all, package)| {
+                    all.push(package);
+                    all
+                });
                 end = end.max(one);
             }
             Err(error) => return disk(&error),
         }
     }
     if options.drives.is_empty() {
-        end = end.max(strays(root, &packages, options));
+        match packages {
+            Some(packages) => end = end.max(strays(root, &packages, options)),
+            None => {
+                eprintln!("generated/: no folder is removed: a profile that cannot be read may have made it")
+            }
+        }
         match schemas(root, options) {
             Ok(one) => end = end.max(one),
             Err(error) => return disk(&error),
@@ -106,7 +114,8 @@ fn folders(of: &Path) -> std::io::Result<Vec<PathBuf>> {
     Ok(found)
 }
 
-/// Compiles one profile; gives the package's name, so that folders that no profile makes can be found.
+/// Compiles one profile; gives the package's name, so that folders that no profile makes can be found. There is no name
+/// where an error hides the drive row.
 fn profile(
     profile: &Profile,
     root: &Path,

@@ -93,6 +93,26 @@ fn a_profile_with_errors_changes_nothing() {
     assert_eq!(fs::read(root.join("generated/acme-x1/map.txt")).unwrap(), before);
 }
 
+/// What an unreadable profile makes is not known: nothing below `generated/` may be called a stray then.
+#[test]
+fn a_profile_that_cannot_be_read_does_not_lose_its_crate() {
+    let breaks: [fn(&Path); 3] = [
+        |folder| fs::write(folder.join("drive.toml"), drive().replace("format = 1", "format = = 1")).unwrap(),
+        |folder| fs::remove_file(folder.join("drive.toml")).unwrap(),
+        |folder| fs::write(folder.join("drive.toml"), [0xFF]).unwrap(),
+    ];
+    for (number, break_) in breaks.iter().enumerate() {
+        let root = checkout(&format!("unreadable-{number}"));
+        assert_eq!(regen(&root, &[]).0, 0);
+        break_(&root.join("profiles/acme/x1"));
+        let (code, out, err) = regen(&root, &["--check"]);
+        assert!(code == 1 && !out.contains("orphaned"), "{number}: {out}{err}");
+        let (code, out, err) = regen(&root, &[]);
+        assert!(code == 1 && err.contains("no folder is removed"), "{number}: {out}{err}");
+        assert!(root.join("generated/acme-x1/src/od.rs").exists(), "{number}: {out}{err}");
+    }
+}
+
 #[test]
 fn an_unknown_drive_is_wrong_usage() {
     let root = checkout("unknown");
