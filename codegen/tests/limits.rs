@@ -28,6 +28,12 @@ fn codes(tables: &str) -> Vec<&'static str> {
     codes
 }
 
+/// The codes of a profile that may compile.
+fn compiled(tables: &str) -> Vec<&'static str> {
+    let compiled = compile(vec![Source { path: "drive.toml".into(), text: format!("{tables}\n{DRIVE}") }]);
+    compiled.diagnostics.iter().map(|d| d.code.id()).collect()
+}
+
 fn object(rest: &str) -> String {
     format!(
         r#"objects = [ {{ at = "2000:00", name = "Speed", type = "u16", access = "rw", src = "1 L1"{rest} }} ]"#
@@ -176,6 +182,36 @@ fn bases_and_process_data_are_bounded() {
     }
     tables.push(']');
     assert!(codes(&tables).contains(&"E0108"));
+}
+
+/// A profile with one PDO of `count` entries of `bits` bits.
+fn pdo(count: u32, bits: u32) -> String {
+    let mut tables = object("").replace("u16", &format!("u{bits}")).replace("src", "pdo = \"rx\", src");
+    tables.push_str("\npdo = [\n");
+    for pos in 0..count {
+        let _ = writeln!(
+            tables,
+            r#"{{ map = 0x1600, dir = "rx", pos = {}, entry = "2000:00", bits = {bits}, src = "1 L1" }},"#,
+            // Beyond the last position there is only position 0.
+            (pos + 1) % 256
+        );
+    }
+    tables.push(']');
+    tables
+}
+
+#[test]
+fn a_pdo_has_no_more_entries_than_a_mapping_counts() {
+    let most = limits::PDO_ENTRIES;
+    assert!(codes(&pdo(most + 1, 8)).contains(&"E0313"));
+    assert_eq!(compiled(&pdo(most, 8)), Vec::<&str>::new());
+}
+
+#[test]
+fn a_pdo_has_no_more_bytes_than_a_frame_carries() {
+    let most = limits::PDO_BYTES / 8;
+    assert_eq!(codes(&pdo(most + 1, 64)), ["E0314"]);
+    assert_eq!(compiled(&pdo(most, 64)), Vec::<&str>::new());
 }
 
 #[test]

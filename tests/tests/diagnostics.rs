@@ -83,6 +83,16 @@ fn made() -> Vec<Case> {
         )
     };
     let ranges: String = (0..392).map(|n| name(0x2000 + n).replace(":00", ":00..FF")).collect();
+    let object = "objects = [\n{ at = \"2000:00\", name = \"Gain\", type = \"u64\", access = \"rw\", pdo = \"rx\", src = \"L1\" },\n]";
+    let pdo = |count: usize| -> String {
+        let row = |n: usize| {
+            format!(
+                "{{ map = 0x1600, dir = \"rx\", pos = {}, entry = \"2000:00\", bits = 64, src = \"L1\" }},\n",
+                n % 256
+            )
+        };
+        (1..=count).map(row).collect()
+    };
     let case = |name: &str, table: &str, rows: &str| Case {
         company: true,
         ..Case::new(name, format!("{table} = [\n{rows}\n]\n"))
@@ -92,6 +102,8 @@ fn made() -> Vec<Case> {
         case("W0008-too-many-warnings", "objects", &(0..findings).map(name).collect::<String>()),
         case("E0109-too-many-rows", "objects", &"{},".repeat(limits::ROWS + 1)),
         case("E0310-too-many-entries", "objects", &ranges),
+        case("E0313-too-many-entries", &format!("{object}\npdo"), &pdo(255)),
+        case("E0314-too-many-bytes", &format!("{object}\npdo"), &pdo(186)),
     ]
 }
 

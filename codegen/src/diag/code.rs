@@ -101,6 +101,8 @@ codes! {
     TOO_MANY_ENTRIES error "E0310" "a drive has too many entries";
     NAMED_FIELD error "E0311" "a row names a field that it does not have";
     HOMING_ROWS error "E0312" "the rows of a homing method do not go together";
+    TOO_MANY_MAPPED error "E0313" "a PDO has more entries than a mapping can count";
+    PDO_TOO_LONG error "E0314" "a PDO has more bytes than a frame can carry";
 }
 
 #[cfg(test)]
