@@ -194,8 +194,8 @@ impl SourceMap {
         LineColumn { line: line + 1, column: column + 1 }
     }
 
-    /// The lines that a span touches, without the last line feed. Where lines or the span are long, at most `most` bytes
-    /// before its start and as many after it.
+    /// The lines that a span touches, without the last line feed. Where these have more than `most` bytes, an eighth of
+    /// that before the start of the span and as much after it.
     pub fn excerpt(&self, span: Span, most: usize) -> Excerpt<'_> {
         let nothing = Excerpt { text: "", from: 0, cut_before: false, cut_after: false };
         let Some(file) = self.file(span.file) else { return nothing };
@@ -203,8 +203,9 @@ impl SourceMap {
         let start = (span.start as usize).min(text.len());
         let end = (span.end as usize).clamp(start, text.len());
         let ((_, first), last) = (file.line(start), file.line_end(end));
-        let from = boundary(text, first.max(start.saturating_sub(most)));
-        let to = boundary(text, last.min(start.saturating_add(most)));
+        let margin = if last - first <= most { most } else { most / 8 };
+        let from = boundary(text, first.max(start.saturating_sub(margin)));
+        let to = boundary(text, last.min(start.saturating_add(margin)));
         let part = text.get(from..to).unwrap_or("");
         Excerpt { text: part, from, cut_before: from > first, cut_after: to < last }
     }
@@ -270,7 +271,8 @@ mod tests {
         };
         assert_eq!(excerpt(6..9, 100), ("µtwo = 2", 4, false, false));
         assert_eq!(excerpt(1..9, 100), ("one\nµtwo = 2", 0, false, false));
-        assert_eq!(excerpt(7..9, 2), ("two", 6, true, true), "no half of a character");
+        assert_eq!(excerpt(8..9, 8), ("wo", 7, true, true));
+        assert_eq!(excerpt(6..6, 8), ("t", 6, true, true), "no half of a character");
         assert_eq!(excerpt(20..20, 100), ("", 20, false, false), "behind the last line feed");
         assert_eq!(excerpt(30..40, 100), ("", 20, false, false), "behind the end");
     }

@@ -19,7 +19,7 @@ use drivewright_tests::cases::{entries, toml_files};
 const DRIVE: &str = include_str!("../diagnostics/shared/drive.toml");
 
 /// Codes without a case here: they speak of files, and a case is text. `codegen/tests/load.rs` has a case for each.
-const OF_FILES: &[&str] = &["E0001", "E0002", "E0003", "E0004", "E0005"];
+const OF_FILES: &[&str] = &["E0001", "E0002", "E0003", "E0004", "E0005", "E0009"];
 
 /// The cases that show the formats for programs.
 const FORMATS: &[&str] = &["E0101-comma-missing", "E0204-other-value", "W1004-no-sub-index-0"];
@@ -93,6 +93,8 @@ fn made() -> Vec<Case> {
         };
         (1..=count).map(row).collect()
     };
+    let pdos: String = (0..=limits::PDOS).map(|n| pdo(1).replace("0x1600", &n.to_string())).collect();
+    let keys: Vec<String> = (0..=limits::KEYS).map(|n| format!("k{n} = {n}")).collect();
     let case = |name: &str, table: &str, rows: &str| Case {
         company: true,
         ..Case::new(name, format!("{table} = [\n{rows}\n]\n"))
@@ -101,9 +103,12 @@ fn made() -> Vec<Case> {
         case("E0007-too-many-errors", "enums", &"{},".repeat(findings)),
         case("W0008-too-many-warnings", "objects", &(0..findings).map(name).collect::<String>()),
         case("E0109-too-many-rows", "objects", &"{},".repeat(limits::ROWS + 1)),
+        Case::new("E0119-too-many-tables", (0..=limits::TABLES).map(|n| format!("[a{n}]\n")).collect()),
+        case("E0120-too-many-keys", "objects", &format!("{{{}}},", keys.join(", "))),
         case("E0310-too-many-entries", "objects", &ranges),
         case("E0313-too-many-entries", &format!("{object}\npdo"), &pdo(255)),
         case("E0314-too-many-bytes", &format!("{object}\npdo"), &pdo(186)),
+        case("E0315-too-many-pdos", &format!("{object}\npdo"), &pdos),
     ]
 }
 

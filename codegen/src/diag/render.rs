@@ -58,9 +58,9 @@ fn report<'a>(finding: &'a Diagnostic, sources: &'a SourceMap) -> Group<'a> {
     group
 }
 
-/// Bytes of a line that are shown to each side of a place: more than a terminal has columns, and few enough that a line
-/// of megabytes costs no finding more than a short one.
-const MARGIN: usize = 1_000;
+/// Bytes of lines that are handed over as they are. Of longer ones only a part is: a line of megabytes costs no finding
+/// more than this.
+const LONG: usize = 2_000;
 /// What stands for the rest of a line that is cut.
 const CUT: &str = "...";
 
@@ -85,7 +85,7 @@ fn elements_of<'a>(
     if path.is_empty() {
         return Vec::new();
     }
-    let excerpt = sources.excerpt(span, MARGIN);
+    let excerpt = sources.excerpt(span, LONG);
     let place = sources.line_column(span.file, span.start);
     let inside = |byte: u32| (byte as usize).saturating_sub(excerpt.from).min(excerpt.text.len());
     let (start, end) = (inside(span.start), inside(span.end));

@@ -16,7 +16,7 @@ pub(super) fn pdos(profile: &Profile, model: &Model, sink: &mut Sink) -> Vec<Pdo
     }
     if let Some(row) = profile.rows.pdo.first().filter(|_| groups.len() > limits::PDOS) {
         sink.push(
-            Diagnostic::new(code::TOO_LONG, row.meta.span(), format!("{} PDOs", groups.len()))
+            Diagnostic::new(code::TOO_MANY_PDOS, row.meta.span(), format!("{} PDOs", groups.len()))
                 .why(format!("a drive has at most {}", limits::PDOS))
                 .help("check the column `map`"),
         );
