@@ -61,6 +61,7 @@ codes! {
     MORE_ERRORS error "E0007" "there are more findings than a run keeps";
     MORE_WARNINGS warning "W0008" "there are more warnings than a run keeps";
     NOT_A_FILE error "E0009" "what is named like a file is none";
+    WRITTEN_TWICE error "E0010" "drivewright writes two files to one place";
 
     SYNTAX error "E0101" "the text is not TOML";
     UNKNOWN_TABLE error "E0102" "no such table";
