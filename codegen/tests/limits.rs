@@ -61,11 +61,18 @@ fn texts_and_lists_are_bounded() {
 }
 
 #[test]
+#[rustfmt::skip]
 fn hidden_characters_are_refused() {
-    for hidden in
-        ["\\u0000", "\\n", "\\r", "\\t", "\\u202E", "\\u2066", "\\u200B", "\\uFEFF", "\\u2028", "\\u007F"]
-    {
+    for hidden in [
+        "\\u0000", "\\n", "\\r", "\\t", "\\u007F", "\\u00AD", "\\u034F", "\\u061C", "\\u115F", "\\u1160", "\\u180E", "\\u200B",
+        "\\u200F", "\\u2028", "\\u202E", "\\u2066", "\\u206F", "\\u3164", "\\uFE00", "\\uFE0F", "\\uFEFF", "\\uFFA0", "\\uFFF9",
+        "\\U000E0001", "\\U000E0041", "\\U000E0100",
+    ] {
         assert_eq!(codes(&object("").replace("Speed", &format!("Sp{hidden}eed"))), ["E0006"], "{hidden}");
+    }
+    for seen in ["µ", "°", "速度", "\\u00AE", "\\u2027", "\\u202F", "\\uFFFD", "\\U0001F600"] {
+        let found = run(&[&object("").replace("Speed", &format!("Sp{seen}eed"))]);
+        assert!(found.1, "{seen}: {found:?}");
     }
 }
 
