@@ -52,6 +52,24 @@ fn every_bad_row_of_every_file_is_reported_in_one_run() {
     assert_eq!(starts, ["E0104", "E0104", "E0104", "E0103", "E0106", "E0106", "E0105"], "{found:#?}");
 }
 
+/// What the standard leaves to the drive, or what a manual says more loosely, is no contradiction.
+#[test]
+fn a_row_may_say_less_than_the_standard_or_leave_its_units_to_the_user() {
+    let drive = DRIVE.replace("eds_version", "bases = [\"cia402\"]\neds_version");
+    let found = |row: &str| -> Vec<&'static str> {
+        let objects = format!("objects = [ {{ {row}, src = \"1 L2\" }} ]");
+        let text = format!("{objects}\n{drive}");
+        let compiled = compile(vec![Source { path: "drive.toml".into(), text }]);
+        compiled.diagnostics.iter().filter(|d| d.code.id() == "E0207").map(|d| d.code.id()).collect()
+    };
+    for fine in ["pdo = \"rx tx\"", "pdo = \"tx\"", "pdo = \"no\"", "unit = \"count\"", "unit = \"deg\""] {
+        assert_eq!(found(&format!("at = \"6064:00\", {fine}")), Vec::<&str>::new(), "{fine}");
+    }
+    for wrong in ["pdo = \"rx\"", "unit = \"ms\"", "unit = \"rpm\""] {
+        assert_eq!(found(&format!("at = \"6064:00\", {wrong}")), ["E0207"], "{wrong}");
+    }
+}
+
 #[test]
 fn an_erratum_sets_the_value_and_says_so() {
     let errata = r#"errata = [ { id = "E1", at = "2000:00", field = "max", was = 30000, seen = "1 L2", set = 3000, by = "2 L5", why = "a zero too many", sure = "high" } ]"#;
