@@ -72,7 +72,6 @@ fn case(row: &HomingRow, errata: &[ErratumRow]) -> Option<HomingCase> {
         moves: says.fact("moves", moves),
         abort: row.abort.clone().map(|v| says.fact("abort", v)),
         mask: row.mask.clone().map(|v| says.fact("mask", v)),
-        note: row.note.as_ref().map(|n| n.value.0.clone()),
     })
 }
 
