@@ -176,13 +176,20 @@ fn bytes_that_mean_something() {
     assert!(name.expect("a difference").contains("velocity"));
 }
 
-/// Rows may spell the name of their table in several ways, of which one is chosen.
+/// Rows may spell the name of their table in several ways, of which one is chosen; and rows without a number have an
+/// order all the same.
 #[test]
-fn one_spelling_in_any_order() {
+fn one_choice_in_any_order() {
     let rows = r#"
 enums = [ { name = "State of drive", value = 0, label = "off", src = "L1" }, { name = "state_of_drive", value = 1, label = "on", src = "L1" } ]
 bits = [ { name = "Ctl", bit = 1, label = "run", src = "L1" }, { name = "CTL", bit = 0, label = "stop", src = "L1" } ]
+homing = [
+  { method = 7, when = "home off", moves = "+ fast until home on; latch", src = "L2" },
+  { method = 7, when = "home on", moves = "- slow until home off; latch", text = "From the home.", src = "L2" },
+]
+io = [ { terminal = "CN1", kind = "port", src = "L1" }, { terminal = "CN2", kind = "port", src = "L1" } ]
 "#;
     let sources = vec![source("drive.toml", super::DRIVE), source("rows.toml", rows)];
-    assert!(same_in_any_order(&Profile { name: "spellings".into(), sources }, 20));
+    assert!(!run(sources.clone()).files.is_empty(), "{:#?}", run(sources).findings);
+    assert!(same_in_any_order(&Profile { name: "choices".into(), sources }, 20));
 }
