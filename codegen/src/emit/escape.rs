@@ -1,9 +1,10 @@
 //! One escaping function for each output language. Text of a profile reaches an output through these and no other way.
 
-/// A character that could hide or reorder what a reader sees: controls, bidi marks, zero-width characters.
+/// A character that could hide or reorder what a reader sees: controls, bidi marks, zero-width characters, tags.
 pub fn is_hidden(c: char) -> bool {
     c.is_control()
-        || matches!(c, '\u{200B}'..='\u{200F}' | '\u{202A}'..='\u{202E}' | '\u{2060}'..='\u{2069}' | '\u{FEFF}' | '\u{061C}' | '\u{2028}' | '\u{2029}')
+        || matches!(c, '\u{AD}' | '\u{61C}' | '\u{180E}' | '\u{200B}'..='\u{200F}' | '\u{2028}'..='\u{202E}'
+            | '\u{2060}'..='\u{206F}' | '\u{FEFF}' | '\u{FFF9}'..='\u{FFFB}' | '\u{E0000}'..='\u{E0FFF}')
 }
 
 /// One line without hidden characters: each run of them becomes a blank.
@@ -45,11 +46,14 @@ pub fn rust_doc(text: &str) -> String {
     markdown(text)
 }
 
-/// Text inside Markdown: one line in which no character has a meaning of its own.
+/// Text inside Markdown: one line in which no character has a meaning of its own. Blanks before it would make it code.
 pub fn markdown(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
-    for c in one_line(text).chars() {
+    for c in one_line(text).trim().chars() {
         match c {
+            // Many pages make links of `http://` and `www.`.
+            '/' if out.ends_with(':') => out.push_str("\\/"),
+            '.' if out.ends_with("www") => out.push_str("\\."),
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '&' => out.push_str("&amp;"),
@@ -104,5 +108,6 @@ mod tests {
     fn markdown_has_no_tags() {
         let out = markdown(HOSTILE);
         assert!(!out.contains('<') && !out.contains('\n') && !out.contains('\u{202E}'));
+        assert_eq!(markdown("    http://a.b www.c.d "), "http:\\//a.b www\\.c.d");
     }
 }

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use super::lower::is_variable;
 use crate::emit::escape;
+use crate::limits;
 use crate::model::{Model, Object};
 
 /// The names of the objects of a drive, in their order: `Gain`, or `Gain 2001h`.
@@ -30,14 +31,19 @@ fn printed<'a>(object: &'a Object, model: &'a Model) -> &'a str {
 
 /// Escapes names; one that stands there twice, or of which nothing is left, gets its number.
 fn unique(names: &[(&str, String)]) -> Vec<String> {
+    let texts: Vec<String> = names.iter().map(|(name, _)| short(name)).collect();
     let mut times: BTreeMap<&str, u32> = BTreeMap::new();
-    for (name, _) in names {
-        *times.entry(name).or_insert(0) += 1;
+    for text in &texts {
+        *times.entry(text).or_insert(0) += 1;
     }
-    let numbered = |(name, number): &(&str, String)| {
-        let text = escape::ini(name);
-        let once = times.get(name).is_none_or(|n| *n == 1) && !text.is_empty();
-        if once { text } else { escape::ini(&format!("{text} {number}")) }
+    let numbered = |(text, (_, number)): (&String, &(&str, String))| {
+        let once = times.get(text.as_str()) == Some(&1) && !text.is_empty();
+        if once { text.clone() } else { escape::ini(&format!("{text} {number}")) }
     };
-    names.iter().map(numbered).collect()
+    texts.iter().zip(names).map(numbered).collect()
+}
+
+/// Escaping can make a name longer than a line may be.
+fn short(name: &str) -> String {
+    escape::ini(name).chars().take(limits::NAME_BYTES).collect::<String>().trim_end().to_owned()
 }
