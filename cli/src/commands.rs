@@ -26,19 +26,7 @@ pub(crate) fn run(arguments: &Arguments) -> End {
             build(folder, out, only, if *diff { Mode::Diff } else { mode }, *format, quiet)
         }
         Command::Explain { code } => explain(code),
-        Command::Audit { drive, manual, id, contradictions, accepted, record, json } => {
-            let asked = audit::Asked {
-                drive,
-                manual: manual.as_deref(),
-                id: id.as_deref(),
-                contradictions: *contradictions,
-                accepted: *accepted,
-                record: *record,
-                json: *json,
-                quiet,
-            };
-            audit::run(&asked)
-        }
+        Command::Audit(asked) => audit::run(asked, quiet),
         Command::Coverage { drives, json } => coverage::run(drives, *json),
         Command::Lints => print(&codes()),
         Command::Schema => print(&schema::profile_schema()),

@@ -134,13 +134,13 @@ fn plain(text: &str) -> String {
     while let Some(start) = rest.find('<') {
         let (before, tag) = rest.split_at(start);
         out.push_str(before);
-        match tag.find('>').filter(|end| *end <= 5) {
-            Some(end) => rest = &tag[end + 1..],
-            None => {
-                out.push('<');
-                rest = &tag[1..];
-            }
-        }
+        // Marks are short; a longer one is text with a `<`.
+        rest = if let Some(end) = tag.find('>').filter(|end| *end <= 5) {
+            &tag[end + 1..]
+        } else {
+            out.push('<');
+            &tag[1..]
+        };
     }
     out.push_str(rest);
     out.replace("**", "").replace('\\', "")

@@ -68,12 +68,11 @@ fn once<'a, R: Row>(rows: Vec<&'a R>, sink: &mut Sink) -> impl Iterator<Item = &
     let mut seen = std::collections::BTreeMap::new();
     let mut out = Vec::with_capacity(rows.len());
     for row in rows {
-        match seen.get(&row.key()) {
-            Some(first) => crate::merge::duplicate(row, *first, sink),
-            None => {
-                seen.insert(row.key(), row);
-                out.push(row);
-            }
+        if let Some(first) = seen.get(&row.key()) {
+            crate::merge::duplicate(row, *first, sink);
+        } else {
+            seen.insert(row.key(), row);
+            out.push(row);
         }
     }
     out.into_iter()

@@ -118,7 +118,7 @@ wire_enum! {
     pub struct SpeedCommandFormat(i32) = "speed command format" {
         /// rpm. (2.4 L151)
         RPM = 0 => "rpm",
-        /// unit/s. (4.2 L411 L413)
+        /// unit/s. (2.4 L151)
         UNIT_S = 1 => "unit/s",
     }
 }
