@@ -6,7 +6,7 @@
 
 use std::path::{Path, PathBuf};
 
-use drivewright_codegen::audit::{Finding, Kind, audit, contradictions, facts_hash};
+use drivewright_codegen::audit::{Contradiction, Finding, Kind, audit, contradictions, facts_hash};
 use drivewright_codegen::facts::{FactLine, Table, facts};
 use drivewright_codegen::model::{Cite, Class};
 use drivewright_codegen::{Compiled, compile, load};
@@ -179,7 +179,7 @@ fn nothing_is_open_and_the_record_has_the_counts() {
         assert_eq!(report.open().collect::<Vec<_>>(), Vec::<&Finding>::new());
         let model = compiled.model.as_ref().expect("a model");
         let differing = contradictions(model, &all, &compiled.rows, "m1", &text);
-        assert!(!differing.is_empty() && differing.iter().all(|c| c.settled()), "{differing:#?}");
+        assert!(!differing.is_empty() && differing.iter().all(Contradiction::settled), "{differing:#?}");
         let record = &compiled.rows.audited[0];
         assert_eq!(record.proved.value as usize, report.proved);
         assert_eq!(record.accepted.value as usize, report.accepted());
