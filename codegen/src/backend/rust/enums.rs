@@ -43,7 +43,7 @@ fn values(out: &mut String, table: &EnumDef) {
 
 fn doc(value: &EnumValue) -> String {
     let text = value.text.as_ref().map_or_else(String::new, |t| format!(" {}", rust_doc(t)));
-    format!("{}.{text}{}", rust_doc(&value.printed), source(&value.name.origin))
+    format!("{}{text}{}", rust_doc(&format!("{}.", value.printed)), source(&value.name.origin))
 }
 
 /// ` (4.2 L441)` where the manual says it, ` (standard: cia402)` where a base does.
