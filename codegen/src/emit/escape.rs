@@ -1,9 +1,10 @@
 //! One escaping function for each output language. Text of a profile reaches an output through these and no other way.
 
-/// A character that could hide or reorder what a reader sees: controls, bidi marks, zero-width characters.
+/// A character that could hide or reorder what a reader sees: controls, bidi marks, zero-width characters, tags.
 pub fn is_hidden(c: char) -> bool {
     c.is_control()
-        || matches!(c, '\u{200B}'..='\u{200F}' | '\u{202A}'..='\u{202E}' | '\u{2060}'..='\u{2069}' | '\u{FEFF}' | '\u{061C}' | '\u{2028}' | '\u{2029}')
+        || matches!(c, '\u{AD}' | '\u{61C}' | '\u{180E}' | '\u{200B}'..='\u{200F}' | '\u{2028}'..='\u{202E}'
+            | '\u{2060}'..='\u{206F}' | '\u{FEFF}' | '\u{FFF9}'..='\u{FFFB}' | '\u{E0000}'..='\u{E0FFF}')
 }
 
 /// One line without hidden characters: each run of them becomes a blank.

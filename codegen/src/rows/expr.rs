@@ -154,9 +154,7 @@ mod tests {
 
     #[test]
     fn what_is_no_expression_is_refused() {
-        for text in
-            ["1 +", "(1", "1)", "1 2", "x == 1", "6041:0 == 1", "0x", "1 = 1", "-1", "1 ; 2"]
-        {
+        for text in ["1 +", "(1", "1)", "1 2", "x == 1", "6041:0 == 1", "0x", "1 = 1", "-1", "1 ; 2"] {
             assert_eq!(value(text).map_err(|e| e.code), Err(code::BAD_EXPRESSION), "{text}");
         }
         assert!(value(&"(".repeat(4_000)).is_err(), "no recursion");
