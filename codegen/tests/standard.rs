@@ -4,7 +4,9 @@
 
 use drivewright_codegen::compile;
 use drivewright_codegen::diag::Severity;
-use drivewright_codegen::model::{Access, Address, Class};
+use drivewright_codegen::model::{
+    Access, Address, Class, Edge, HomingMethod, HomingStart, HomingStatus, Model, Side,
+};
 use drivewright_codegen::source::Source;
 
 /// Values at sub-index 0 by type, as public device files and the standards agree on them.
@@ -222,4 +224,189 @@ fn the_kinds_of_standard_objects_are_known() {
     let model = compiled.model.expect("a model");
     let kind = |index| format!("{:?}", model.object(index).expect("an object").kind.value);
     assert_eq!((kind(0x607D), kind(0x1018)), ("Array".to_owned(), "Record".to_owned()));
+}
+
+/// The tables of a base that no drive inherits yet, compiled as if a drive had written them, so that every check of such
+/// rows sees them.
+fn tables(base: &str) -> Model {
+    let base = drivewright_standard::bases().iter().find(|b| b.name == base).expect("a base");
+    let inherited = ["objects.toml", "enums.toml", "bits.toml"];
+    let own = base.files.iter().filter(|f| !inherited.iter().any(|name| f.0.ends_with(name)));
+    let mut profile = drive("");
+    let cited = |text: &str| text.replace(" },\n", ", src = \"1 L1\" },\n");
+    profile.extend(own.map(|f| Source { path: f.0.into(), text: cited(f.1) }));
+    let compiled = compile(profile);
+    let errors = compiled.diagnostics.iter().filter(|d| d.severity() == Severity::Error);
+    assert_eq!(errors.map(|d| d.message.clone()).collect::<Vec<_>>(), [""; 0]);
+    compiled.model.expect("a model")
+}
+
+#[test]
+fn states_are_told_by_the_bits_of_the_standard() {
+    // Bits 6 to 0 of the statusword, x where a bit does not matter.
+    let patterns = [
+        ("Not ready to switch on", "x0xx0000"),
+        ("Switch on disabled", "x1xx0000"),
+        ("Ready to switch on", "x01x0001"),
+        ("Switched on", "x01x0011"),
+        ("Operation enabled", "x01x0111"),
+        ("Quick stop active", "x00x0111"),
+        ("Fault reaction active", "x0xx1111"),
+        ("Fault", "x0xx1000"),
+    ];
+    let model = tables("cia402");
+    let found = model.states.iter().map(|s| (s.name.value.original(), word(s.mask.value, s.value.value)));
+    assert_eq!(found.collect::<Vec<_>>(), patterns.map(|(name, bits)| (name, bits.to_owned())));
+    for word in 0..=u16::MAX {
+        let matching = model.states.iter().filter(|s| word & s.mask.value == s.value.value).count();
+        assert!(matching <= 1, "{word:04X} is {matching} states");
+    }
+}
+
+/// The low eight bits of a word, x where the mask has none.
+fn word(mask: u16, value: u16) -> String {
+    let bit = |n: u16| match (mask >> n & 1, value >> n & 1) {
+        (0, _) => 'x',
+        (_, 0) => '0',
+        _ => '1',
+    };
+    (0..8).rev().map(bit).collect()
+}
+
+#[test]
+fn commands_are_those_of_the_standard() {
+    // Bits 7 to 0 of the controlword, and the transitions.
+    let patterns: [(&str, &str, &[u8]); 7] = [
+        ("Shutdown", "0xxxx110", &[2, 6, 8]),
+        ("Switch on", "0xxx0111", &[3]),
+        ("Disable voltage", "0xxxxx0x", &[7, 9, 10, 12]),
+        ("Quick stop", "0xxxx01x", &[7, 10, 11]),
+        ("Disable operation", "0xxx0111", &[5]),
+        ("Enable operation", "0xxx1111", &[4, 16]),
+        ("Fault reset", "1xxxxxxx", &[15]),
+    ];
+    let model = tables("cia402");
+    assert_eq!(model.commands.len(), patterns.len());
+    for (command, (name, bits, transitions)) in model.commands.iter().zip(patterns) {
+        assert_eq!(command.name.value.original(), name);
+        assert_eq!(word(command.mask.value, command.value.value), bits, "{name}");
+        assert_eq!(command.transitions.as_ref().map(|t| t.value.as_slice()), Some(transitions), "{name}");
+        assert_eq!(command.edge.as_ref().is_some_and(|e| e.value), name == "Fault reset", "{name}");
+    }
+}
+
+#[test]
+fn modes_have_one_name_everywhere() {
+    let names: [(i128, &str); 10] = [
+        (1, "Profile position"),
+        (2, "Velocity"),
+        (3, "Profile velocity"),
+        (4, "Profile torque"),
+        (6, "Homing"),
+        (7, "Interpolated position"),
+        (8, "Cyclic synchronous position"),
+        (9, "Cyclic synchronous velocity"),
+        (10, "Cyclic synchronous torque"),
+        (11, "Cyclic synchronous torque with commutation angle"),
+    ];
+    let modes = tables("cia402").modes;
+    let found: Vec<(i128, &str)> = modes.iter().map(|m| (m.number.into(), m.name.value.original())).collect();
+    assert_eq!((found[0], &found[1..]), ((0, "No mode"), &names[..]));
+    let model = compile(drive(&nameless(&|a| [0x6060, 0x6502].contains(&a.index)))).model.expect("a model");
+    let values = &model.enums.as_slice()[0].values;
+    assert_eq!(values[1..].iter().map(|v| (v.value, v.printed.as_str())).collect::<Vec<_>>(), names);
+    let fields = &model.bits.as_slice()[0].fields;
+    let bits: Vec<(i128, &str)> =
+        fields.iter().map(|f| (i128::from(f.bit) + 1, f.printed.as_str())).collect();
+    assert_eq!(bits, names);
+}
+
+#[test]
+fn only_modes_with_a_target_have_halt_and_target_reached() {
+    let model = compile(drive(&nameless(&|a| [0x6040, 0x6041].contains(&a.index)))).model.expect("a model");
+    let modes = |label: &str| -> Vec<Option<i8>> {
+        let fields = model.bits.iter().flat_map(|(_, b)| &b.fields);
+        fields.filter(|f| f.printed == label).map(|f| f.mode).collect()
+    };
+    assert_eq!(modes("Halt"), [1, 3, 4, 6, 7].map(Some));
+    assert_eq!(modes("Target reached"), [1, 2, 3, 4, 6, 7].map(Some));
+}
+
+#[test]
+fn abort_codes_are_those_of_the_standard() {
+    let cia301 = "05030000 05040000 05040001 05040002 05040003 05040004 05040005 06010000 06010001 06010002 06020000 \
+                  06040041 06040042 06040043 06040047 06060000 06070010 06070012 06070013 06090011 06090030 06090031 \
+                  06090032 06090036 060A0023 08000000 08000020 08000021 08000022 08000023 08000024";
+    let coe = "06010003 06010004 06010005 06010006";
+    for (base, codes) in [("cia301", cia301), ("coe", coe)] {
+        let found: Vec<String> =
+            tables(base).aborts.iter().map(|a| format!("{:08X}", a.code.value)).collect();
+        assert_eq!(found.join(" "), codes);
+    }
+}
+
+/// Where each homing method finds home: direction of the last move over the edge, and the edge. The index of methods 1 to
+/// 14 is the next one in that direction; 16 further is the edge itself.
+const HOMES: &[(i8, &str, &str)] = &[
+    (1, "+", "negative_limit off"),
+    (2, "-", "positive_limit off"),
+    (3, "-", "home off"),
+    (4, "+", "home on"),
+    (5, "+", "home off"),
+    (6, "-", "home on"),
+    (7, "-", "home off"),
+    (8, "+", "home on"),
+    (9, "-", "home on"),
+    (10, "+", "home off"),
+    (11, "+", "home off"),
+    (12, "-", "home on"),
+    (13, "+", "home on"),
+    (14, "-", "home off"),
+];
+
+#[test]
+fn homing_methods_find_the_home_of_the_standard() {
+    let model = tables("cia402");
+    let method =
+        |n: i8| model.homing.iter().find(|m| m.number == n).unwrap_or_else(|| panic!("no method {n}"));
+    for &(n, sign, edge) in HOMES {
+        let over = format!("{sign} slow until {edge}; ");
+        homes_at(method(n), &format!("{over}{sign} slow until index; latch"), sign, edge);
+        homes_at(method(n + 16), &format!("{over}latch"), sign, edge);
+        assert_eq!(method(n).reference.as_ref().map(|r| r.value.word()), Some("index"));
+        let switch = edge.split_once(' ').map(|e| e.0);
+        assert_eq!(method(n + 16).reference.as_ref().map(|r| r.value.word()), switch, "{n}");
+        assert_eq!(method(n).approach.as_ref().map(|r| r.value.word()), switch, "{n}");
+    }
+    let reserved = model.homing.iter().filter(|m| m.status.value == HomingStatus::Reserved).map(|m| m.number);
+    assert_eq!(reserved.collect::<Vec<_>>(), [15, 16, 31, 32]);
+    let first = |n: i8| method(n).cases[0].moves.value.to_string();
+    assert_eq!(
+        [33, 34, 35, 37].map(first),
+        ["- slow until index; latch", "+ slow until index; latch", "latch", "latch"]
+    );
+}
+
+/// Every case of a method ends in `end`, and what the table says of it agrees.
+fn homes_at(method: &HomingMethod, end: &str, sign: &str, edge: &str) {
+    let number = method.number;
+    let cases = if (7..=14).contains(&(number % 16)) { 3 } else { 2 };
+    assert_eq!(method.cases.len(), cases, "{number}");
+    for case in &method.cases {
+        let moves = case.moves.value.to_string();
+        assert!(moves.ends_with(end), "{number}: `{moves}` does not end in `{end}`");
+    }
+    let side = if sign == "+" { Side::Positive } else { Side::Negative };
+    let change = if edge.ends_with("on") { Edge::Rising } else { Edge::Falling };
+    assert_eq!(method.side.as_ref().map(|s| s.value), Some(side), "{number}");
+    assert_eq!(method.edge.as_ref().map(|s| s.value), Some(change), "{number}");
+    let start = match number % 16 {
+        1 | 11..=14 => HomingStart::Negative,
+        2 | 7..=10 => HomingStart::Positive,
+        _ => HomingStart::BySwitch,
+    };
+    assert_eq!(method.start.as_ref().map(|s| s.value), Some(start), "{number}");
+    let first = method.cases[0].moves.value.to_string();
+    let away = if start == HomingStart::Negative { "- fast" } else { "+ fast" };
+    assert!(start == HomingStart::BySwitch || first.starts_with(away), "{number}: `{first}`");
 }
