@@ -140,17 +140,16 @@ fn addresses(at: &str) -> Vec<Address> {
 
 /// A row for each address of the bases that `take` takes, with nothing but what the base leaves to drives.
 fn nameless(take: &dyn Fn(Address) -> bool) -> String {
-    let mut rows = String::new();
-    for (_, at, row) in base_rows() {
-        let missing = |key: &str, value: &str| {
-            if row.contains(&format!(" {key} = ")) { String::new() } else { format!("{key} = \"{value}\", ") }
-        };
-        let rest = missing("type", "u16") + &missing("access", "rw");
-        for address in addresses(at).into_iter().filter(|a| take(*a)) {
-            rows += &format!("  {{ at = \"{address}\", {rest}src = \"1 L1\" }},\n");
-        }
-    }
-    rows
+    let rows = base_rows().into_iter().flat_map(|(_, at, row)| {
+        let states = |key: &str| row.contains(&format!(" {key} = "));
+        let ty = if states("type") { "" } else { "type = \"u16\", " };
+        let access = if states("access") { "" } else { "access = \"rw\", " };
+        let taken = addresses(at).into_iter().filter(|a| take(*a));
+        taken
+            .map(move |at| format!("  {{ at = \"{at}\", {ty}{access}src = \"1 L1\" }},\n"))
+            .collect::<Vec<_>>()
+    });
+    rows.collect()
 }
 
 #[test]
@@ -309,8 +308,9 @@ fn modes_have_one_name_everywhere() {
         (10, "Cyclic synchronous torque"),
         (11, "Cyclic synchronous torque with commutation angle"),
     ];
-    let modes = tables("cia402").modes;
-    let found: Vec<(i128, &str)> = modes.iter().map(|m| (m.number.into(), m.name.value.original())).collect();
+    let stated = tables("cia402").modes;
+    let found: Vec<(i128, &str)> =
+        stated.iter().map(|m| (m.number.into(), m.name.value.original())).collect();
     assert_eq!((found[0], &found[1..]), ((0, "No mode"), &names[..]));
     let model = compile(drive(&nameless(&|a| [0x6060, 0x6502].contains(&a.index)))).model.expect("a model");
     let values = &model.enums.as_slice()[0].values;
@@ -324,12 +324,12 @@ fn modes_have_one_name_everywhere() {
 #[test]
 fn only_modes_with_a_target_have_halt_and_target_reached() {
     let model = compile(drive(&nameless(&|a| [0x6040, 0x6041].contains(&a.index)))).model.expect("a model");
-    let modes = |label: &str| -> Vec<Option<i8>> {
+    let with = |label: &str| -> Vec<Option<i8>> {
         let fields = model.bits.iter().flat_map(|(_, b)| &b.fields);
         fields.filter(|f| f.printed == label).map(|f| f.mode).collect()
     };
-    assert_eq!(modes("Halt"), [1, 3, 4, 6, 7].map(Some));
-    assert_eq!(modes("Target reached"), [1, 2, 3, 4, 6, 7].map(Some));
+    assert_eq!(with("Halt"), [1, 3, 4, 6, 7].map(Some));
+    assert_eq!(with("Target reached"), [1, 2, 3, 4, 6, 7].map(Some));
 }
 
 #[test]
