@@ -2,7 +2,8 @@
 
 use crate::check::Lint;
 use crate::diag::{Code, Sink};
-use crate::model::{Address, Model};
+use crate::model::{Address, Class, Entry, Model};
+use crate::source::Span;
 
 const CODE: Code = Code::warning("W0412", "a position, speed or torque of CiA 402 has no unit");
 const WHY: &str = "the standard leaves the unit to the drive, and a speed in the wrong one is ten or a thousand times too high";
@@ -20,9 +21,18 @@ fn run(model: &Model, sink: &mut Sink) {
     for entry in entries.filter(|entry| entry.unit.is_none() && measures(entry.address)) {
         if !dropped(model, entry.address) {
             let text = format!("`{}` ({}) has no unit", entry.address, entry.name.value);
-            sink.push(super::finding(CODE, entry.name.span(), text, WHY, HELP));
+            sink.push(super::finding(CODE, place(entry), text, WHY, HELP));
         }
     }
+}
+
+/// A value that the drive's own row states; that of the base where it states none.
+fn place(entry: &Entry) -> Span {
+    let stated = [&entry.name.origin, &entry.ty.origin, &entry.access.origin];
+    let more = [entry.min.as_ref(), entry.max.as_ref()].into_iter().flatten().map(|limit| &limit.origin);
+    let default = entry.default.iter().map(|default| &default.origin);
+    let mut own = stated.into_iter().chain(more).chain(default);
+    own.find(|origin| !matches!(origin.class, Class::Standard(_))).map_or(entry.name.span(), |o| o.span)
 }
 
 /// Whether the value at an address is a position, speed, torque or current.
