@@ -80,7 +80,7 @@ fn homing(method: &HomingMethod) -> Vec<&Origin> {
 
 /// Rows of the small tables.
 fn behaviour(model: &Model) -> impl Iterator<Item = (String, Vec<Option<&Origin>>)> {
-    let modes = model
+    let operation = model
         .modes
         .iter()
         .map(|m| (format!("mode {}", m.number), vec![Some(&m.name.origin), origin(m.objects.as_ref())]));
@@ -130,7 +130,7 @@ fn behaviour(model: &Model) -> impl Iterator<Item = (String, Vec<Option<&Origin>
         ];
         (format!("example {}", e.label()), facts)
     });
-    modes
+    operation
         .chain(states)
         .chain(commands)
         .chain(aborts)
