@@ -33,6 +33,7 @@ use crate::{compile, load};
 /// ```
 ///
 /// Findings become errors and warnings of cargo. With an error the build script ends; nothing is written then.
+#[allow(clippy::needless_doctest_main, reason = "a build script has one")]
 pub fn build(folder: impl AsRef<Path>) {
     if Build::new().profile(folder).run().is_err() {
         // What is wrong has been said.

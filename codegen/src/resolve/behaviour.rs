@@ -1,6 +1,7 @@
 //! Modes, states, commands, abort codes, terminals, the EtherCAT side, rules and examples: tables that nothing else refers
 //! to. Each is sorted by its key; of two rows with one key the second is reported.
 
+use super::objects::check_reasons;
 use super::origin::Says;
 use crate::diag::{Diagnostic, Sink, code};
 use crate::merge::Profile;
@@ -14,7 +15,7 @@ use crate::rows::tables::{
     SyncManagerRow, TerminalRow,
 };
 use crate::rows::value::{Reason, Text};
-use crate::rows::{Meta, Row};
+use crate::rows::{Meta, Row, Rows};
 use crate::source::Sp;
 
 /// Fills the tables of `model`.
@@ -33,7 +34,8 @@ pub(super) fn fill(model: &mut Model, profile: &Profile, sink: &mut Sink) {
     model.rules = sorted(&rows.rules, |r| r.id.value.clone(), sink).map(|r| rule(r, errata)).collect();
     let key = |r: &ExampleRow| (r.id.value.clone(), r.step.map(|s| s.value));
     model.examples = sorted(&rows.examples, key, sink).map(|r| example(r, errata)).collect();
-    objects_exist(model, sink);
+    reasons(profile, sink);
+    objects_exist(model, &profile.rows, sink);
 }
 
 /// Rows by `key`, each once.
@@ -139,7 +141,8 @@ fn command(row: &CommandRow, errata: &[ErratumRow]) -> Command {
 
 fn abort(row: &AbortRow, errata: &[ErratumRow]) -> Abort {
     let says = plain(&row.meta, row.src.as_ref(), errata);
-    Abort { code: says.fact("code", row.code), name: says.fact("name", row.name.clone().map(|n| n.0)) }
+    let name = row.name.clone().map(|n| n.0);
+    Abort { code: says.fact("code", row.code), name: says.joint(&["name", "code"], name) }
 }
 
 fn terminal(row: &TerminalRow, errata: &[ErratumRow]) -> Terminal {
@@ -211,8 +214,15 @@ fn example(row: &ExampleRow, errata: &[ErratumRow]) -> Example {
     }
 }
 
+/// Reasons of rows that may have them.
+fn reasons(profile: &Profile, sink: &mut Sink) {
+    profile.rows.io.iter().for_each(|r| check_reasons(r, [r.inferred.as_ref()], sink));
+    profile.rows.emcy.iter().for_each(|r| check_reasons(r, [r.inferred.as_ref()], sink));
+    profile.rows.homing.iter().for_each(|r| check_reasons(r, [r.inferred.as_ref()], sink));
+}
+
 /// Every object that modes, terminals, rules and examples name must be there.
-fn objects_exist(model: &Model, sink: &mut Sink) {
+fn objects_exist(model: &Model, rows: &Rows, sink: &mut Sink) {
     let mut named: Vec<(Address, crate::source::Span)> = Vec::new();
     for mode in &model.modes {
         named.extend(mode.objects.iter().flat_map(|f| f.value.iter().map(|a| (*a, f.span()))));
@@ -230,7 +240,7 @@ fn objects_exist(model: &Model, sink: &mut Sink) {
         }));
     }
     for (address, span) in named {
-        if model.entry(address).is_none() {
+        if model.entry(address).is_none() && !rows.left_out.contains(&address.to_string()) {
             sink.push(
                 Diagnostic::new(code::UNKNOWN_OBJECT, span, format!("there is no object {address}"))
                     .why("what is said of an object that the dictionary does not have cannot be checked")

@@ -51,7 +51,7 @@ pub(super) fn resolve(profile: &Profile, tables: Tables, sink: &mut Sink) -> Res
     let own = ObjectIndex::new(&profile.rows.objects, sink);
     let (base_entries, base_whole) = base_rows(profile, sink);
     for row in &profile.rows.objects {
-        check_reasons(row, sink);
+        check_reasons(row, [row.inferred.as_ref(), row.assumed.as_ref()], sink);
     }
     let mut resolver = Resolver { profile, tables, base_entries, base_whole, sink };
     if own.entries.len() > limits::ENTRIES {
@@ -99,11 +99,15 @@ fn base_rows<'a>(
 }
 
 /// Fields that `inferred` and `assumed` name must exist and be stated by the row.
-fn check_reasons(row: &ObjectRow, sink: &mut Sink) {
-    let known: Vec<&str> = ObjectRow::TABLE.fields.iter().map(|f| f.key).collect();
-    for list in [&row.inferred, &row.assumed].into_iter().flatten() {
+pub(super) fn check_reasons<R: Row, const N: usize>(
+    row: &R,
+    lists: [Option<&Sp<Vec<Reason>>>; N],
+    sink: &mut Sink,
+) {
+    let known: Vec<&str> = R::TABLE.fields.iter().map(|f| f.key).collect();
+    for list in lists.into_iter().flatten() {
         for reason in &list.value {
-            if row.meta.raw.get(&reason.field).is_some() {
+            if row.meta().raw.get(&reason.field).is_some() {
                 continue;
             }
             let help = if known.contains(&reason.field.as_str()) {

@@ -2532,7 +2532,7 @@ pub const SERVO_PARAMETER_GROUP_2_76: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Manual, the access: 6.3 T6-3 L1273.
 /// Manual, the mapping: 6.3 T6-3 L1273.
 ///
-/// Erratum E105, max: printed 42, kept. The default, 52, is outside the printed range 0 to 42, and the description of the same row gives it a meaning: the range is too short. What the highest value is, is not printed.
+/// Erratum E105, max: printed 42, dropped. The default, 52, is outside the printed range 0 to 42, and the description of the same row gives it a meaning: the range is too short. What the highest value is, is not printed.
 #[doc(alias = "3001")]
 pub const INITIAL_DISPLAY_OF_THE_KEYPAD: Object<enums::KeypadDisplay, Rw, Unmapped, Raw> =
     Object::new(0x3001, 0x4D).range(0, i64::MAX);
@@ -5046,7 +5046,7 @@ pub const POSITION_ACTUAL_VALUE: Object<i32, Ro, Tx, UserPosition> = Object::new
 /// Manual: 6.2 T6-2 L1217.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E025, unit: printed "rev", kept. 4.2 and 4.3 have tenths of a revolution. A limit of at least 100 whole revolutions, 1966080 by default, is no following error: 1966080 is 15 times 2^17 and 104857600 is 100 times 2^20, so the numbers of 6.2 look like encoder counts. Which holds is not said. Dropped: a limit in a unit that is wrong by a factor of a million would be none; the numbers stay raw.
+/// Erratum E025, unit: printed "rev", dropped. 4.2 and 4.3 have tenths of a revolution. A limit of at least 100 whole revolutions, 1966080 by default, is no following error: 1966080 is 15 times 2^17 and 104857600 is 100 times 2^20, so the numbers of 6.2 look like encoder counts. Which holds is not said. Dropped: a limit in a unit that is wrong by a factor of a million would be none; the numbers stay raw.
 ///
 /// Erratum E026, min: printed 100, kept. 4.2 and 4.3 have 0.1 to 100.0 revolutions, 1 to 1000 counts of a tenth. As for E025. Kept.
 ///

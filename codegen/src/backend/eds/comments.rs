@@ -44,8 +44,8 @@ fn manual(manual: &crate::model::Manual) -> String {
 /// Errata that changed an entry.
 fn corrected(model: &Model) -> Vec<String> {
     let changes = model.errata.as_slice().iter().filter_map(|e| {
-        let (at, set) = (e.address?, e.set.as_ref()?);
-        Some(format!("{at}: {} is {set}, printed {} (erratum {})", e.field, e.was, e.id))
+        let set = e.set.as_deref().or_else(|| e.unset.then_some("left out"))?;
+        Some(format!("{}: {} is {set}, printed {} (erratum {})", e.address?, e.field, e.was, e.id))
     });
     let mut text: Vec<String> = changes.collect();
     if !text.is_empty() {

@@ -100,7 +100,7 @@ fn cited<'o>(facts: &[(&'static str, Option<&'o Origin>)]) -> Vec<String> {
 fn errata(entry: &Entry, model: &Model) -> Vec<String> {
     let of = |e: &&crate::model::Erratum| e.address == Some(entry.address);
     let line = |e: &crate::model::Erratum| {
-        let used = e.set.as_ref().map_or_else(|| "kept".to_owned(), |set| format!("used {}", rust_doc(set)));
+        let used = e.outcome(rust_doc);
         format!(
             "Erratum {}, {}: printed {}, {used}. {}",
             rust_doc(&e.id),

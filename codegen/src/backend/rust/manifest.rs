@@ -61,7 +61,7 @@ fn context(model: &Model) -> Context {
     let drive = &model.drive;
     let manual = |m: &crate::model::Manual| format!("{}, {}", markdown(&m.title), markdown(&m.version));
     let erratum = |e: &crate::model::Erratum| {
-        let used = e.set.as_ref().map_or_else(|| "kept".to_owned(), |s| format!("used {}", markdown(s)));
+        let used = e.outcome(markdown);
         format!(
             "**{}** {} `{}`: printed {}, {used} ({}). {}",
             markdown(&e.id),
