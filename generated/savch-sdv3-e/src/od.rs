@@ -2112,7 +2112,7 @@ pub const SERVO_PARAMETER_GROUP_2_24: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Erratum E106, text: printed "The position of the motor is held inside the range of 607Dh.", kept. The row prints it for no value of its own. With 1, Infinite length, a limit makes little sense; read it for 0. Kept.
 #[doc(alias = "3001")]
 pub const POSITION_COMMAND_FORMAT: Object<enums::PositionCommandFormat, Rw, Unmapped, Raw> =
-    Object::new(0x3001, 0x19);
+    Object::new(0x3001, 0x19).allow(&[0, 1]);
 
 /// Servo Parameter Group 2, `3001:1A`: INTEGER32, rw, not mapped.
 ///
@@ -3579,7 +3579,7 @@ pub const SERVO_PARAMETER_GROUP_3_88: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Manual, the mapping: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const FEEDBACK_SPEED_SAMPLING_TIME: Object<enums::SpeedSamplingTime, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x59);
+    Object::new(0x3002, 0x59).allow(&[0, 1, 2, 3, 4, 5, 6, 7]);
 
 /// Servo Parameter Group 3, `3002:5A`: INTEGER32, rw, not mapped.
 ///
@@ -3691,7 +3691,7 @@ pub const ECAT_NODE_ID: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0
 /// Manual, the mapping: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const ECAT_NODE_ID_SETTING: Object<enums::NodeIdSetting, Rw, Unmapped, Raw> =
-    Object::new(0x3003, 0x02);
+    Object::new(0x3003, 0x02).allow(&[0, 1]);
 
 /// Data synchronization Detection setting, `3003:03`: INTEGER32, rw, not mapped.
 ///
@@ -3717,7 +3717,7 @@ pub const DATA_SYNCHRONIZATION_DETECTION_SETTING: Object<enums::DataSynchronizat
 /// Manual, the mapping: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const DATA_LOSS_PROCESSING_SETTINGS: Object<enums::DataLossProcessing, Rw, Unmapped, Raw> =
-    Object::new(0x3003, 0x04);
+    Object::new(0x3003, 0x04).allow(&[0, 1]);
 
 /// Servo Parameter Group 4, `3003:05`: INTEGER32, rw, not mapped.
 ///
@@ -3820,7 +3820,7 @@ pub const SERVO_PARAMETER_GROUP_4_14: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Erratum E111, values: printed "speed command format", kept. It is said to concern commands; the tables mark actual values (606B, 606C) as switchable too. Which of several parameters the note means is not printed. Kept.
 #[doc(alias = "3003")]
 pub const SPEED_COMMAND_FORMAT: Object<enums::SpeedCommandFormat, Rw, Unmapped, Raw> =
-    Object::new(0x3003, 0x0F);
+    Object::new(0x3003, 0x0F).allow(&[0, 1]);
 
 /// Servo Parameter Group 4, `3003:10`: INTEGER32, rw, not mapped.
 ///
@@ -4997,7 +4997,7 @@ pub const STATUS_WORD: Object<bits::Statusword, Ro, Tx, Raw> = Object::new(0x604
 /// Erratum E034, name: printed "Quickstop Option Code", kept. 4.2 has Quick stop Option Code. Kept; the two differ by a space and a capital.
 #[doc(alias = "605A")]
 pub const QUICKSTOP_OPTION_CODE: Object<enums::QuickStopOption, Rw, Unmapped, Raw> =
-    Object::new(0x605A, 0x00);
+    Object::new(0x605A, 0x00).allow(&[0, 1, 5]);
 
 /// Modes of Operation, `6060:00`: INTEGER8, rw, RxPDO and TxPDO.
 ///
@@ -5007,7 +5007,7 @@ pub const QUICKSTOP_OPTION_CODE: Object<enums::QuickStopOption, Rw, Unmapped, Ra
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "6060")]
 pub const MODES_OF_OPERATION: Object<enums::ModeOfOperation, Rw, RxTx, Raw> =
-    Object::new(0x6060, 0x00);
+    Object::new(0x6060, 0x00).allow(&[0, 1, 3, 4, 6, 8, 9, 10]);
 
 /// Modes of Operation Display, `6061:00`: INTEGER8, ro, TxPDO.
 ///
@@ -5370,14 +5370,16 @@ pub const POSITION_OFFSET: Object<i32, Rw, RxTx, UserPosition> =
 /// Manual: 6.2 T6-2 L1248.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "60B8")]
-pub const TOUCH_PROBE_FUNCTION: Object<u16, Rw, RxTx, Raw> = Object::new(0x60B8, 0x00);
+pub const TOUCH_PROBE_FUNCTION: Object<bits::TouchProbeFunction, Rw, RxTx, Raw> =
+    Object::new(0x60B8, 0x00);
 
 /// Touch Probe Status, `60B9:00`: UNSIGNED16, ro, TxPDO.
 ///
 /// Default 0.
 /// Manual: 6.2 T6-2 L1249.
 #[doc(alias = "60B9")]
-pub const TOUCH_PROBE_STATUS: Object<u16, Ro, Tx, Raw> = Object::new(0x60B9, 0x00);
+pub const TOUCH_PROBE_STATUS: Object<bits::TouchProbeStatus, Ro, Tx, Raw> =
+    Object::new(0x60B9, 0x00);
 
 /// Touch probe pos1 pos value, `60BA:00`: INTEGER32, ro, TxPDO.
 ///
