@@ -134,8 +134,9 @@ fn plain(text: &str) -> String {
     while let Some(start) = rest.find('<') {
         let (before, tag) = rest.split_at(start);
         out.push_str(before);
-        // Marks are short; a longer one is text with a `<`.
-        rest = if let Some(end) = tag.find('>').filter(|end| *end <= 5) {
+        // Marks are words; everything else is text with a `<`.
+        let mark = |end: &usize| tag[1..*end].chars().all(|c| c.is_ascii_alphabetic() || c == '/');
+        rest = if let Some(end) = tag.find('>').filter(mark) {
             &tag[end + 1..]
         } else {
             out.push('<');
