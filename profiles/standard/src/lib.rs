@@ -28,7 +28,7 @@ macro_rules! base {
 
 /// Every base.
 const BASES: &[Base] = &[
-    base!("cia301": "objects.toml" "enums.toml" "bits.toml" "aborts.toml" "emcy.toml"),
+    base!("cia301": "objects.toml" "enums.toml" "bits.toml" "aborts.toml"),
     base!("cia402": "objects.toml" "enums.toml" "bits.toml" "modes.toml" "states.toml" "commands.toml" "homing.toml"),
     base!("coe": "objects.toml" "aborts.toml"),
 ];
