@@ -15,7 +15,7 @@ impl Model {
     pub fn row_origins(&self) -> Vec<RowOrigins<'_>> {
         let mut rows = vec![RowOrigins { row: "drive".to_owned(), origins: limits(self) }];
         rows.extend(
-            self.entries.iter().map(|(_, e)| RowOrigins { row: e.address.to_string(), origins: entry(e) }),
+            self.entries.iter().map(|(_, e)| RowOrigins { row: e.address.to_string(), origins: e.origins() }),
         );
         for (_, table) in self.enums.iter() {
             rows.extend(table.values.iter().map(|v| RowOrigins {
@@ -155,18 +155,21 @@ fn limits(model: &Model) -> Vec<&Origin> {
         .collect()
 }
 
-fn entry(e: &Entry) -> Vec<&Origin> {
-    [&e.name.origin, &e.ty.origin, &e.access.origin]
-        .into_iter()
-        .chain(origin(e.mapping.as_ref()))
-        .chain(origin(e.unit.as_ref()))
-        .chain(origin(e.min.as_ref()))
-        .chain(origin(e.max.as_ref()))
-        .chain(origin(e.allow.as_ref()))
-        .chain(origin(e.default.as_ref()))
-        .chain(origin(e.values.as_ref()))
-        .chain(origin(e.bits.as_ref()))
-        .chain(origin(e.parameter.as_ref()))
-        .chain(origin(e.effect.as_ref()))
-        .collect()
+impl Entry {
+    /// One for each value that it has.
+    pub fn origins(&self) -> Vec<&Origin> {
+        [&self.name.origin, &self.ty.origin, &self.access.origin]
+            .into_iter()
+            .chain(origin(self.mapping.as_ref()))
+            .chain(origin(self.unit.as_ref()))
+            .chain(origin(self.min.as_ref()))
+            .chain(origin(self.max.as_ref()))
+            .chain(origin(self.allow.as_ref()))
+            .chain(origin(self.default.as_ref()))
+            .chain(origin(self.values.as_ref()))
+            .chain(origin(self.bits.as_ref()))
+            .chain(origin(self.parameter.as_ref()))
+            .chain(origin(self.effect.as_ref()))
+            .collect()
+    }
 }

@@ -234,9 +234,11 @@ fn objects_exist(model: &Model, rows: &Rows, sink: &mut Sink) {
     }
     for example in &model.examples {
         named.extend(example.entry.iter().map(|f| (f.value, f.span())));
-        named.extend(example.write.iter().flat_map(|f| {
+        // Of several that are not there the first says enough.
+        named.extend(example.write.iter().filter_map(|f| {
             let Entries { first, last } = f.value;
-            [first, Address::new(first.index, last)].map(|address| (address, f.span()))
+            let mut written = (first.sub..=last).map(|sub| Address::new(first.index, sub));
+            written.find(|address| model.entry(*address).is_none()).map(|address| (address, f.span()))
         }));
     }
     for (address, span) in named {
