@@ -21,10 +21,8 @@ use crate::source::SourceMap;
 /// Compiles the profile in `folder`, given from the package's root, into `OUT_DIR/<vendor>_<drive>.rs`.
 ///
 /// ```no_run
-/// // build.rs
-/// fn main() {
-///     drivewright_codegen::build("profiles/acme/x1");
-/// }
+/// // The whole of `fn main` in build.rs:
+/// drivewright_codegen::build("profiles/acme/x1");
 /// ```
 ///
 /// ```ignore
@@ -35,6 +33,7 @@ use crate::source::SourceMap;
 /// ```
 ///
 /// Findings become errors and warnings of cargo. With an error the build script ends; nothing is written then.
+#[allow(clippy::needless_doctest_main, reason = "a build script has one")]
 pub fn build(folder: impl AsRef<Path>) {
     if Build::new().profile(folder).run().is_err() {
         // What is wrong has been said.

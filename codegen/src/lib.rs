@@ -2,9 +2,11 @@
 //!
 //! `load → parse → merge → resolve → check → emit → sink`, one way: see `ARCHITECTURE.md`.
 
+pub mod audit;
 pub mod backend;
 mod build;
 pub mod check;
+pub mod coverage;
 pub mod diag;
 pub mod emit;
 pub mod facts;
@@ -36,6 +38,8 @@ pub struct Compiled {
     /// The drive; `None` when the profile has no usable `drive` row. With errors in `diagnostics` it is incomplete and
     /// must not be emitted.
     pub model: Option<Model>,
+    /// The rows of the profile, errata applied: what the audit needs to know besides the model.
+    pub rows: rows::Rows,
     /// Every finding, in the order of places.
     pub diagnostics: Vec<Diagnostic>,
     /// The texts that the findings point into.
@@ -59,7 +63,7 @@ pub fn compile(profile: Vec<Source>) -> Compiled {
     if let Some(model) = &model {
         check::run(model, &profile.rows.allow, &mut sink);
     }
-    Compiled { model, diagnostics: sink.into_sorted(&sources), sources }
+    Compiled { model, rows: profile.rows, diagnostics: sink.into_sorted(&sources), sources }
 }
 
 /// Reads and compiles the profile in `folder`. Also gives every file and folder that was looked at: a build must run again
@@ -68,7 +72,12 @@ pub fn compile_folder(folder: &Path) -> (Compiled, Vec<PathBuf>) {
     let loaded = load::folder(folder);
     let mut compiled = if loaded.sources.is_empty() && !loaded.diagnostics.is_empty() {
         // Without any text the missing `drive` is no finding of its own.
-        Compiled { model: None, diagnostics: Vec::new(), sources: SourceMap::default() }
+        Compiled {
+            model: None,
+            rows: rows::Rows::default(),
+            diagnostics: Vec::new(),
+            sources: SourceMap::default(),
+        }
     } else {
         compile(loaded.sources)
     };

@@ -106,7 +106,10 @@ fn made() -> Vec<Case> {
         case("E0007-too-many-errors", "enums", &"{},".repeat(findings)),
         case("W0008-too-many-warnings", "objects", &(0..findings).map(name).collect::<String>()),
         case("E0109-too-many-rows", "objects", &"{},".repeat(limits::ROWS + 1)),
-        Case::new("E0119-too-many-tables", (0..=limits::TABLES).map(|n| format!("[a{n}]\n")).collect()),
+        Case::new(
+            "E0119-too-many-tables",
+            (0..=limits::TABLES).map(|n| format!("[a{n}]\n")).collect::<Vec<_>>().concat(),
+        ),
         case("E0120-too-many-keys", "objects", &format!("{{{}}},", keys.join(", "))),
         case("E0310-too-many-entries", "objects", &ranges),
         case("E0313-too-many-entries", &format!("{object}\npdo"), &pdo(255)),

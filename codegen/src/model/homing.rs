@@ -92,8 +92,6 @@ pub struct HomingCase {
     pub abort: Option<Fact<When>>,
     /// Signals without effect while it runs.
     pub mask: Option<Fact<Vec<Signal>>>,
-    /// A remark for the reader.
-    pub note: Option<String>,
 }
 
 /// A homing method (6098h).

@@ -166,6 +166,8 @@ worded! {
         Common = "common",
         /// A supply or its ground.
         Supply = "supply",
+        /// A port of the bus.
+        Port = "port",
     }
 
     /// What a SyncManager carries.

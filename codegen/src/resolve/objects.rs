@@ -31,13 +31,20 @@ type BaseRow<'a> = (&'a str, &'a ObjectRow);
 
 /// Who may state a value, the most exact first.
 #[derive(Clone, Copy)]
-struct Stated<'a> {
+pub(super) struct Stated<'a> {
     /// The drive's row for the address.
     row: &'a ObjectRow,
     /// The drive's row for a range that it refines.
     range: Option<&'a ObjectRow>,
     /// The base's row.
     base: Option<BaseRow<'a>>,
+}
+
+impl<'a> Stated<'a> {
+    /// What the drive's rows state.
+    pub(super) fn own<T>(self, get: impl Fn(&'a ObjectRow) -> Option<&'a Sp<T>>) -> Option<&'a Sp<T>> {
+        get(self.row).or_else(|| self.range.and_then(get))
+    }
 }
 
 struct Resolver<'a, 's> {
@@ -52,7 +59,7 @@ pub(super) fn resolve(profile: &Profile, tables: Tables, sink: &mut Sink) -> Res
     let own = ObjectIndex::new(&profile.rows.objects, sink);
     let (base_entries, base_whole) = base_rows(profile, sink);
     for row in &profile.rows.objects {
-        check_reasons(row, sink);
+        check_reasons(row, [row.inferred.as_ref(), row.assumed.as_ref()], sink);
     }
     let mut resolver = Resolver { profile, tables, base_entries, base_whole, sink };
     if own.entries.len() > limits::ENTRIES {
@@ -100,11 +107,15 @@ fn base_rows<'a>(
 }
 
 /// Fields that `inferred` and `assumed` name must exist and be stated by the row.
-fn check_reasons(row: &ObjectRow, sink: &mut Sink) {
-    let known: Vec<&str> = ObjectRow::TABLE.fields.iter().map(|f| f.key).collect();
-    for list in [&row.inferred, &row.assumed].into_iter().flatten() {
+pub(super) fn check_reasons<R: Row, const N: usize>(
+    row: &R,
+    lists: [Option<&Sp<Vec<Reason>>>; N],
+    sink: &mut Sink,
+) {
+    let known: Vec<&str> = R::TABLE.fields.iter().map(|f| f.key).collect();
+    for list in lists.into_iter().flatten() {
         for reason in &list.value {
-            if row.meta.raw.get(&reason.field).is_some() {
+            if row.meta().raw.get(&reason.field).is_some() {
                 continue;
             }
             let help = if known.contains(&reason.field.as_str()) {
@@ -206,10 +217,11 @@ impl<'a> Resolver<'a, '_> {
             self.unknown(code::ACCESS_UNKNOWN, address, row, "access", "a refused write must not compile");
         }
         let (name, ty, access) = (name?, ty?, access?);
-        self.deviation(row, stated.base, &address.to_string());
+        self.deviation(stated, &address.to_string());
         // A name that stands for several entries gets the number of each.
-        let named =
-            if row.name.is_some() || row.rename.is_some() { row } else { stated.range.unwrap_or(row) };
+        let rows = [Some(row), stated.range, stated.base.map(|b| b.1)];
+        let named = rows.into_iter().flatten().find(|r| r.name.is_some() || r.rename.is_some());
+        let named = named.unwrap_or(row);
         let handle = member_name(named.rename.as_ref().map_or(&name.value, |r| &r.value), named, address);
         let values = self.pick("values", stated, |r| r.values.as_ref());
         let bits = self.pick("bits", stated, |r| r.bits.as_ref());
@@ -231,8 +243,9 @@ impl<'a> Resolver<'a, '_> {
             values: values.and_then(|f| self.enum_fact(f)),
             bits: bits.and_then(|f| self.bits_fact(f)),
             text: self.pick("text", stated, |r| r.text.as_ref()).map(|f| f.value.0),
+            // A note of a range may be untrue of the row that refines it.
             note: row.note.as_ref().map(|n| n.value.0.clone()),
-            deviation: row.deviation.as_ref().map(|d| d.value.0.clone()),
+            deviation: stated.own(|r| r.deviation.as_ref()).map(|d| d.value.0.clone()),
             parameter: self.pick("parameter", stated, |r| r.parameter.as_ref()).map(|f| f.map(|p| p.0)),
             effect: self.pick("effect", stated, |r| r.effect.as_ref()),
             also: row.also.as_ref().map(|a| a.value.clone()),
@@ -261,9 +274,10 @@ impl<'a> Resolver<'a, '_> {
     }
 
     /// A row may contradict the standard object only with a reason, and a reason needs a contradiction.
-    fn deviation(&mut self, row: &ObjectRow, base: Option<BaseRow<'_>>, at: &str) {
-        let found = base.and_then(|(name, base)| contradiction::find(row, base).map(|c| (name, c)));
-        match (found, &row.deviation) {
+    fn deviation(&mut self, stated: Stated<'_>, at: &str) {
+        let Stated { row, base, .. } = stated;
+        let found = base.and_then(|(name, base)| contradiction::find(stated, base).map(|c| (name, c)));
+        match (found, stated.own(|r| r.deviation.as_ref())) {
             (Some((name, c)), None) => self.sink.push(
                 Diagnostic::new(
                     code::CONTRADICTS_BASE,
@@ -274,7 +288,7 @@ impl<'a> Resolver<'a, '_> {
                 .why("most contradictions of a standard type are slips of the pen or of the manual")
                 .help("correct the row; if the drive really differs, say why in `deviation = ...`, or add an erratum"),
             ),
-            (None, Some(deviation)) if base.is_some() && !row.meta.raw.fields.iter().any(|f| f.key.value == "text") => {
+            (None, Some(deviation)) if base.is_some() && row.deviation.is_some() && !row.meta.raw.fields.iter().any(|f| f.key.value == "text") => {
                 self.sink.push(
                     Diagnostic::new(code::DEVIATION_UNUSED, deviation.span, format!("{at} deviates in nothing that is checked"))
                         .why("a reason without a contradiction would hide the next one")
@@ -289,7 +303,7 @@ impl<'a> Resolver<'a, '_> {
     fn finish(&mut self, object: &mut Object, whole: Option<&'a ObjectRow>, entries: &Arena<EntryId, Entry>) {
         let base = self.base_whole.get(&object.index).copied();
         if let Some(row) = whole {
-            self.deviation(row, base, &format!("{:04X}", object.index));
+            self.deviation(Stated { row, range: None, base }, &format!("{:04X}", object.index));
         }
         let pick_name = |row: Option<&'a ObjectRow>| {
             row.and_then(|r| self.pick("name", Stated { row: r, range: None, base }, |r| r.name.as_ref()))

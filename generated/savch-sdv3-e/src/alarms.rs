@@ -6,15 +6,57 @@
 use drivewright_runtime::prelude::*;
 
 /// Faults and warnings, by number.
-pub static ALARMS: [AlarmDesc<'static>; 5] = [
+pub static ALARMS: [AlarmDesc<'static>; 37] = [
     AlarmDesc::new("OC1", 0x01, 0x2311, "Over current 1").with_aux(0x8006).with_reset(Reset::Resettable),
+    AlarmDesc::new("OC2", 0x02, 0x2312, "Over current 2").with_aux(0x8006).with_reset(Reset::Resettable),
+    AlarmDesc::new("OS", 0x03, 0x8400, "Over speed").with_aux(0x8007).with_reset(Reset::Resettable),
+    AlarmDesc::new("LuC", 0x04, 0x3120, "Control circuit power is insufficient").with_aux(0x8009).with_reset(Reset::Resettable),
+    AlarmDesc::new("HV", 0x05, 0x3210, "Over voltage").with_aux(0x8009).with_reset(Reset::Resettable),
     AlarmDesc::new("ET1", 0x06, 0x7305, "Encoder error 1").with_aux(0x0008).with_reset(Reset::NotResettable),
+    AlarmDesc::new("ET2", 0x07, 0x7305, "Encoder error 2").with_aux(0x000A).with_reset(Reset::NotResettable),
+    AlarmDesc::new("CT", 0x08, 0xFF00, "Control power supply abnormal").with_aux(0x000A).with_reset(Reset::NotResettable),
+    AlarmDesc::new("DE", 0x09, 0x5530, "Data error").with_aux(0x000D).with_reset(Reset::NotResettable),
+    AlarmDesc::new("cE", 0x0B, 0x7120, "Encoder combination error").with_aux(0x0011).with_reset(Reset::NotResettable),
+    AlarmDesc::new("EC", 0x0D, 0x7305, "Encoder communication error").with_aux(0x8010).with_reset(Reset::Resettable),
+    AlarmDesc::new("CTE", 0x0E, 0x6320, "EI Repeat assignment").with_aux(0x0013).with_reset(Reset::NotResettable),
+    AlarmDesc::new("OL1", 0x0F, 0x3230, "Over load 1").with_aux(0x8001).with_reset(Reset::Resettable),
+    AlarmDesc::new("OL2", 0x10, 0x3230, "Over load 2").with_aux(0x8001).with_reset(Reset::Resettable),
+    AlarmDesc::new("oC3", 0x12, 0x2313, "Over current 3").with_aux(0x8006).with_reset(Reset::Resettable),
+    AlarmDesc::new("Ec2", 0x13, 0x7305, "Encoder matching exception").with_aux(0x0010).with_reset(Reset::NotResettable),
+    AlarmDesc::new("EF", 0x1F, 0x6320, "External terminal alarm").with_aux(0x8013).with_reset(Reset::Resettable),
+    AlarmDesc::new("LuP", 0x21, 0x3220, "Main circuit power is insufficient").with_aux(0x8009).with_reset(Reset::Resettable),
+    AlarmDesc::new("RH3", 0x24, 0x4210, "Regenerative resistor overheating 3").with_aux(0x0004).with_reset(Reset::NotResettable),
     AlarmDesc::new("OF", 0x25, 0x8611, "Deviation exceeded").with_aux(0x8005).with_reset(Reset::Resettable),
+    AlarmDesc::new("AH", 0x26, 0x4210, "Drive overheating").with_aux(0x8003).with_reset(Reset::Resettable),
+    AlarmDesc::new("dL1", 0x28, 0x7305, "ABS Data loss 1").with_aux(0x0015).with_reset(Reset::NotResettable),
+    AlarmDesc::new("dL2", 0x29, 0x7305, "ABS Data loss 2").with_aux(0x0015).with_reset(Reset::NotResettable),
+    AlarmDesc::new("dL3", 0x2A, 0x7305, "ABS Data loss 3").with_aux(0x0015).with_reset(Reset::NotResettable),
     AlarmDesc::new("oGE", 0x2E, 0x8400, "Homing timeout").with_aux(0x8005).with_reset(Reset::Resettable),
+    AlarmDesc::new("LS", 0x2F, 0x8400, "Speed out of control").with_aux(0x8007).with_reset(Reset::Resettable),
+    AlarmDesc::new("Hr", 0x30, 0x8500, "ECAT Hardware error").with_aux(0x001A).with_reset(Reset::NotResettable),
+    AlarmDesc::new("SEE", 0x31, 0x8501, "SII EEPROM error").with_aux(0x001A).with_reset(Reset::NotResettable),
+    AlarmDesc::new("LL", 0x32, 0x8502, "Link disconnection").with_aux(0x801A).with_reset(Reset::Resettable),
+    AlarmDesc::new("Pto", 0x33, 0x8100, "PDO Watchdog timeout").with_aux(0x801B).with_reset(Reset::Resettable),
+    AlarmDesc::new("cS", 0x34, 0x8101, "Sync signal error").with_aux(0x801B).with_reset(Reset::Resettable),
     AlarmDesc::new("cSD", 0x35, 0x8102, "Cycle Synchronized data error").with_aux(0x801B).with_reset(Reset::Resettable),
+    AlarmDesc::new("PLF", 0x36, 0x8103, "PLL Phase-locking failure").with_aux(0x801B).with_reset(Reset::Resettable),
+    AlarmDesc::new("PLL", 0x37, 0x8104, "PLL Phase lock loss").with_aux(0x801B).with_reset(Reset::Resettable),
+    AlarmDesc::new("oPE", 0x38, 0x8800, "Control mode setting error").with_aux(0x801C).with_reset(Reset::Resettable),
+    AlarmDesc::new("ESr", 0x39, 0x8801, "ESM Request error").with_aux(0x801C).with_reset(Reset::Resettable),
+    AlarmDesc::new("Act", 0x3A, 0x8802, "Action error protection").with_aux(0x801C).with_reset(Reset::Resettable),
 ];
 
 /// Causes and remedies, where the manual gives them. No other table refers to it: it is linked only when it is named.
-pub static ALARM_TEXTS: [AlarmText<'static>; 1] = [
+pub static ALARM_TEXTS: [AlarmText<'static>; 11] = [
+    AlarmText::new("Hr", 0x30, &["Hardware of the EtherCAT part has failed.", "Access through the PDI has failed."], &["Power the drive off and on; replace it if the error comes back."]),
+    AlarmText::new("SEE", 0x31, &["The SII EEPROM could not be loaded.", "Access to the SII EEPROM has failed."], &["Write the data of the SII EEPROM anew.", "Replace the drive if the error is still there afterwards."]),
+    AlarmText::new("LL", 0x32, &["The link of the input port went down while the ESM state was not Init."], &["Check the communication cable.", "Check the device whose output feeds the input port."]),
+    AlarmText::new("Pto", 0x33, &["No PDO arrived within the time that ESC registers 0x400 and 0x420 set."], &["Check whether the PDO of the master are interrupted.", "Set the PDO watchdog to more than twice the synchronization cycle.", "Check the wiring of the EtherCAT cable.", "Look for strong interference on the EtherCAT cable."]),
+    AlarmText::new("cS", 0x34, &["The SYNC signal and the drive are out of step."], &["Check the DC settings.", "Check the compensation of propagation delay and of offset."]),
     AlarmText::new("cSD", 0x35, &["No valid data arrived within the time that the cyclic synchronous modes give."], &["Check data and cycle of the PDO that the master sends.", "Check that P4.03 is in the range that the application needs.", "Look for strong interference on the EtherCAT cable."]),
+    AlarmText::new("PLF", 0x36, &["The PLL of the drive was not locked to the SYNC signal 2 s after locking began."], &["Check the DC settings.", "Check the compensation of propagation delay and of offset."]),
+    AlarmText::new("PLL", 0x37, &["The phase deviation grew too large after the PLL had locked."], &["Check the DC settings.", "Check the compensation of propagation delay and of offset."]),
+    AlarmText::new("oPE", 0x38, &["6061h is 0 when the CiA 402 state is switched to Operation enabled.", "6060h is changed while homing runs."], &["Check the value of 6060h.", "Check the moment at which the mode is changed."]),
+    AlarmText::new("ESr", 0x39, &["The ESM state is switched while the CiA 402 state is Operation enabled or Quick stop active."], &["Check the state changes that the master requests."]),
+    AlarmText::new("Act", 0x3A, &["The touch probe selects EXT1 or EXT2 as trigger, and no input is assigned to it.", "In cyclic synchronous position mode a target is too far from the one before."], &["Check which trigger the touch probe function selects.", "Check the assignment of EXT1 and EXT2.", "Check the target positions."]),
 ];

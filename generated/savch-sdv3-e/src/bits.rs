@@ -22,7 +22,7 @@ bit_field! {
         HALT: 8,
         /// New set point, in mode 1. A rising edge hands over the target. (4.2 L441)
         PP_NEW_SET_POINT: 4,
-        /// Change set immediately, in mode 1. 1: the new target takes effect at once, also while the axis moves. (4.2 L440 L441)
+        /// Change set immediately, in mode 1. 1: the new target takes effect at once, also while the axis moves. 0: it takes effect when the present positioning is done. (4.2 L440 L441)
         PP_CHANGE_SET_IMMEDIATELY: 5,
         /// ABS/INC, in mode 1. 1: the target is absolute. 0: it is an increment. (4.2 L439)
         ///
@@ -96,6 +96,58 @@ bit_field! {
 }
 
 bit_field! {
+    /// Bits of touch probe function.
+    pub struct TouchProbeFunction(u16) {
+        /// TP1 enable. 0: touch probe 1 is off. 1: it is on. (4.9.1 L803)
+        TP1_ENABLE: 0,
+        /// TP1 trigger mode. 0: single, only the first trigger counts. 1: continuous. (4.9.1 L804)
+        TP1_TRIGGER_MODE: 1,
+        /// TP1 trigger signal selection. 0: EXT1, the EI terminal with function 40. 1: the Z phase of the encoder. (4.9.1 L805 L798)
+        TP1_TRIGGER_SIGNAL_SELECTION: 2,
+        /// TP1 Rising edge latch enable. 0: the rising edge latches nothing. 1: it latches the position. With the Z phase as trigger the edges are alike; one of the two bits is enough. (4.9.1 L807 L820)
+        TP1_RISING_EDGE_LATCH_ENABLE: 4,
+        /// TP1 Falling edge latch enable. 0: the falling edge latches nothing. 1: it latches the position. With the Z phase as trigger the edges are alike; one of the two bits is enough. (4.9.1 L808 L820)
+        TP1_FALLING_EDGE_LATCH_ENABLE: 5,
+        /// TP2 enable. 0: touch probe 2 is off. 1: it is on. (4.9.1 L812)
+        TP2_ENABLE: 8,
+        /// TP2 trigger mode. 0: single, only the first trigger counts. 1: continuous. (4.9.1 L813)
+        TP2_TRIGGER_MODE: 9,
+        /// TP2 trigger signal selection. 0: EXT2, the EI terminal with function 41. 1: the Z phase of the encoder. (4.9.1 L814 L798)
+        TP2_TRIGGER_SIGNAL_SELECTION: 10,
+        /// TP2 rising edge latch enable. 0: the rising edge latches nothing. 1: it latches the position. With the Z phase as trigger the edges are alike; one of the two bits is enough. (4.9.1 L816 L820)
+        TP2_RISING_EDGE_LATCH_ENABLE: 12,
+        /// TP2 falling edge latch enable. 0: the falling edge latches nothing. 1: it latches the position. With the Z phase as trigger the edges are alike; one of the two bits is enough. (4.9.1 L817 L820)
+        TP2_FALLING_EDGE_LATCH_ENABLE: 13,
+    }
+}
+
+bit_field! {
+    /// Bits of touch probe status.
+    pub struct TouchProbeStatus(u16) {
+        /// TP1 enable status. 0: touch probe 1 is off. 1: it is on. (4.9.1 L825)
+        TP1_ENABLE_STATUS: 0,
+        /// TP1 rising edge latched status. 0: no position is latched at the rising edge. 1: one is. (4.9.1 L826)
+        TP1_RISING_EDGE_LATCHED_STATUS: 1,
+        /// TP1 falling edge latched status. 0: no position is latched at the falling edge. 1: one is. (4.9.1 L827)
+        TP1_FALLING_EDGE_LATCHED_STATUS: 2,
+        /// TP1 trigger signal monitoring. 0: the trigger is EXT1. 1: it is the Z phase of the encoder. (4.9.1 L829)
+        TP1_TRIGGER_SIGNAL_MONITORING: 6,
+        /// TP1 latched toggle. Changes each time a valid position is latched. (4.9.1 L830)
+        TP1_LATCHED_TOGGLE: 7,
+        /// TP2 enable status. 0: touch probe 2 is off. 1: it is on. (4.9.1 L831)
+        TP2_ENABLE_STATUS: 8,
+        /// TP2 rising edge latched status. 0: no position is latched at the rising edge. 1: one is. (4.9.1 L832)
+        TP2_RISING_EDGE_LATCHED_STATUS: 9,
+        /// TP2 falling edge latched status. 0: no position is latched at the falling edge. 1: one is. (4.9.1 L833)
+        TP2_FALLING_EDGE_LATCHED_STATUS: 10,
+        /// TP2 trigger signal monitoring. 0: the trigger is EXT2. 1: it is the Z phase of the encoder. (4.9.1 L835)
+        TP2_TRIGGER_SIGNAL_MONITORING: 14,
+        /// TP2 latched toggle. Changes each time a valid position is latched. (4.9.1 L836)
+        TP2_LATCHED_TOGGLE: 15,
+    }
+}
+
+bit_field! {
     /// Bits of error register.
     pub struct ErrorRegister(u8) {
         /// Generic. (standard: cia301)
@@ -136,5 +188,7 @@ bit_field! {
         CYCLIC_SYNCHRONOUS_VELOCITY: 8,
         /// Cyclic synchronous torque. (standard: cia402)
         CYCLIC_SYNCHRONOUS_TORQUE: 9,
+        /// Cyclic synchronous torque with commutation angle. (standard: cia402)
+        CYCLIC_SYNCHRONOUS_TORQUE_WITH_COMMUTATION_ANGLE: 10,
     }
 }

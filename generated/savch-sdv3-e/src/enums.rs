@@ -6,6 +6,72 @@
 use drivewright_runtime::prelude::*;
 
 wire_enum! {
+    /// Values of data loss processing.
+    pub struct DataLossProcessing(i32) = "data loss processing" {
+        /// No processing. (2.4 L149)
+        NO_PROCESSING = 0 => "No processing",
+        /// Repeat last increment. The position command goes on by the last increment of the interpolation. (2.4 L149)
+        REPEAT_LAST_INCREMENT = 1 => "Repeat last increment",
+    }
+}
+
+wire_enum! {
+    /// Values of data synchronization detection.
+    pub struct DataSynchronizationDetection(i32) = "data synchronization detection" {
+        /// No detection. (2.4 L148)
+        NO_DETECTION = 0 => "No detection",
+    }
+}
+
+wire_enum! {
+    /// Values of keypad display.
+    pub struct KeypadDisplay(i32) = "keypad display" {
+        /// Action mode. (2.4 L142)
+        ACTION_MODE = 0 => "Action mode",
+        /// Feedback speed. (2.4 L142)
+        FEEDBACK_SPEED = 1 => "Feedback speed",
+        /// Command speed. (2.4 L142)
+        COMMAND_SPEED = 2 => "Command speed",
+        /// Command torque. (2.4 L142)
+        COMMAND_TORQUE = 3 => "Command torque",
+        /// Motor current. (2.4 L142)
+        MOTOR_CURRENT = 4 => "Motor current",
+        /// Peak torque. (2.4 L142)
+        PEAK_TORQUE = 5 => "Peak torque",
+        /// Effective torque. (2.4 L142)
+        EFFECTIVE_TORQUE = 6 => "Effective torque",
+        /// Feedback position. (2.4 L142)
+        FEEDBACK_POSITION = 7 => "Feedback position",
+        /// Command position. (2.4 L142)
+        COMMAND_POSITION = 8 => "Command position",
+        /// Position deviation. (2.4 L142)
+        POSITION_DEVIATION = 9 => "Position deviation",
+        /// Feedback cumulative pulse. (2.4 L142)
+        FEEDBACK_CUMULATIVE_PULSE = 11 => "Feedback cumulative pulse",
+        /// LS-Z pulse. (2.4 L142)
+        LS_Z_PULSE = 13 => "LS-Z pulse",
+        /// Load inertia ratio. (2.4 L142)
+        LOAD_INERTIA_RATIO = 14 => "Load inertia ratio",
+        /// DC link voltage (max.). (2.4 L142)
+        DC_LINK_VOLTAGE_MAX = 15 => "DC link voltage (max.)",
+        /// DC link voltage (min.). (2.4 L142)
+        DC_LINK_VOLTAGE_MIN = 16 => "DC link voltage (min.)",
+        /// Input signals. (2.4 L142)
+        INPUT_SIGNALS = 19 => "Input signals",
+        /// Output signals. (2.4 L142)
+        OUTPUT_SIGNALS = 20 => "Output signals",
+        /// OL thermal value. (2.4 L142)
+        OL_THERMAL_VALUE = 21 => "OL thermal value",
+        /// Alarm at present. (2.4 L142)
+        ALARM_AT_PRESENT = 41 => "Alarm at present",
+        /// Alarm history. (2.4 L142)
+        ALARM_HISTORY = 42 => "Alarm history",
+        /// EtherCAT status. The default. Its meaning is printed as the description of the parameter, not in the list of values. (2.4 L142, 2.2 L103)
+        ETHERCAT_STATUS = 52 => "EtherCAT status",
+    }
+}
+
+wire_enum! {
     /// Values of mode of operation.
     pub struct ModeOfOperation(i8) = "mode of operation" {
         /// Unset mode. (4.1.4 L376)
@@ -28,25 +94,77 @@ wire_enum! {
 }
 
 wire_enum! {
+    /// Values of node ID setting.
+    pub struct NodeIdSetting(i32) = "node ID setting" {
+        /// From EEPROM. At start the drive copies the alias of EEPROM address 0004h to ESC register 0x0012. (2.4 L147, 3.7 L286)
+        FROM_EEPROM = 0 => "From EEPROM",
+        /// From P4.01. At start the drive copies P4.01 to ESC register 0x0012. (2.4 L147, 3.7 L287)
+        FROM_P4_01 = 1 => "From P4.01",
+    }
+}
+
+wire_enum! {
+    /// Values of position command format.
+    pub struct PositionCommandFormat(i32) = "position command format" {
+        /// Normal PTP. (2.4 L141)
+        NORMAL_PTP = 0 => "Normal PTP",
+        /// Infinite length. (2.4 L141)
+        INFINITE_LENGTH = 1 => "Infinite length",
+    }
+}
+
+wire_enum! {
+    /// Values of speed command format.
+    pub struct SpeedCommandFormat(i32) = "speed command format" {
+        /// rpm. (2.4 L151)
+        RPM = 0 => "rpm",
+        /// unit/s. (2.4 L151)
+        UNIT_S = 1 => "unit/s",
+    }
+}
+
+wire_enum! {
+    /// Values of speed sampling time.
+    pub struct SpeedSamplingTime(i32) = "speed sampling time" {
+        /// 62.5 us. (2.4 L143)
+        TIME_62_5_US = 0 => "62.5 us",
+        /// 125 us. (2.4 L143)
+        TIME_125_US = 1 => "125 us",
+        /// 250 us. (2.4 L143)
+        TIME_250_US = 2 => "250 us",
+        /// 500 us. (2.4 L143)
+        TIME_500_US = 3 => "500 us",
+        /// 1 ms. (2.4 L143)
+        TIME_1_MS = 4 => "1 ms",
+        /// 2 ms. (2.4 L143)
+        TIME_2_MS = 5 => "2 ms",
+        /// 4 ms. (2.4 L143)
+        TIME_4_MS = 6 => "4 ms",
+        /// 8 ms. (2.4 L143)
+        TIME_8_MS = 7 => "8 ms",
+    }
+}
+
+wire_enum! {
     /// Values of quick stop option.
     pub struct QuickStopOption(i16) = "quick stop option" {
         /// Disable drive function. The motor coasts. (standard: cia402)
         DISABLE_DRIVE_FUNCTION = 0 => "Disable drive function",
         /// Slow down ramp. Then switch on disabled. (standard: cia402)
         SLOW_DOWN_RAMP = 1 => "Slow down ramp",
-        /// Quick stop ramp. Then switch on disabled. (standard: cia402)
+        /// Quick stop ramp. Then switch on disabled. (standard: cia402) Not allowed by 605A:00.
         QUICK_STOP_RAMP = 2 => "Quick stop ramp",
-        /// Current limit. Then switch on disabled. (standard: cia402)
+        /// Current limit. Then switch on disabled. (standard: cia402) Not allowed by 605A:00.
         CURRENT_LIMIT = 3 => "Current limit",
-        /// Voltage limit. Then switch on disabled. (standard: cia402)
+        /// Voltage limit. Then switch on disabled. (standard: cia402) Not allowed by 605A:00.
         VOLTAGE_LIMIT = 4 => "Voltage limit",
         /// Slow down ramp and stay. Stays in quick stop active. (standard: cia402)
         SLOW_DOWN_RAMP_AND_STAY = 5 => "Slow down ramp and stay",
-        /// Quick stop ramp and stay. Stays in quick stop active. (standard: cia402)
+        /// Quick stop ramp and stay. Stays in quick stop active. (standard: cia402) Not allowed by 605A:00.
         QUICK_STOP_RAMP_AND_STAY = 6 => "Quick stop ramp and stay",
-        /// Current limit and stay. Stays in quick stop active. (standard: cia402)
+        /// Current limit and stay. Stays in quick stop active. (standard: cia402) Not allowed by 605A:00.
         CURRENT_LIMIT_AND_STAY = 7 => "Current limit and stay",
-        /// Voltage limit and stay. Stays in quick stop active. (standard: cia402)
+        /// Voltage limit and stay. Stays in quick stop active. (standard: cia402) Not allowed by 605A:00.
         VOLTAGE_LIMIT_AND_STAY = 8 => "Voltage limit and stay",
     }
 }

@@ -10,10 +10,10 @@ use drivewright_runtime::prelude::*;
 ///
 /// Device profile in the low half, 402 for drives; the kind of drive above it.
 /// Default 402.
-/// Note: Printed without the kind of drive in the upper half: see E09.
+/// Note: Printed without the kind of drive in the upper half: see E009.
 /// Manual: 6.1 T6-1 L1055.
 ///
-/// Erratum E09, default: printed 402, kept. CiA 402 has the kind of drive in the upper half: 00020192h for a servo drive. Nothing else in the manual names it. Kept.
+/// Erratum E009, default: printed 402, kept. CiA 402 has the kind of drive in the upper half: 00020192h for a servo drive. Nothing else in the manual names it. Kept.
 #[doc(alias = "1000")]
 pub const DEVICE_TYPE: Object<u32, Ro, Unmapped, Raw> = Object::new(0x1000, 0x00);
 
@@ -25,6 +25,29 @@ pub const DEVICE_TYPE: Object<u32, Ro, Unmapped, Raw> = Object::new(0x1000, 0x00
 #[doc(alias = "1001")]
 pub const ERROR_REGISTER: Object<bits::ErrorRegister, Ro, Unmapped, Raw> =
     Object::new(0x1001, 0x00);
+
+/// Device name, `1008:00`: VISIBLE_STRING, ro, not mapped.
+///
+/// Default "2S0.75E".
+/// Manual: 6.1 T6-1 L1057.
+///
+/// Erratum E071, default: printed "2S0.75E", kept. The manual is for a series, and this reads like the type code of one size of it. Kept; another size may well answer something else.
+#[doc(alias = "1008")]
+pub const DEVICE_NAME: Object<VisibleString, Ro, Unmapped, Raw> = Object::new(0x1008, 0x00);
+
+/// Hardware version, `1009:00`: VISIBLE_STRING, ro, not mapped.
+///
+/// Default "1.0".
+/// Manual: 6.1 T6-1 L1058.
+#[doc(alias = "1009")]
+pub const HARDWARE_VERSION: Object<VisibleString, Ro, Unmapped, Raw> = Object::new(0x1009, 0x00);
+
+/// Software version, `100A:00`: VISIBLE_STRING, ro, not mapped.
+///
+/// Default "1.0".
+/// Manual: 6.1 T6-1 L1059.
+#[doc(alias = "100A")]
+pub const SOFTWARE_VERSION: Object<VisibleString, Ro, Unmapped, Raw> = Object::new(0x100A, 0x00);
 
 // 1018h Identity object
 
@@ -71,6 +94,8 @@ pub const SERIAL_NUMBER: Object<u32, Ro, Unmapped, Raw> = Object::new(0x1018, 0x
 ///
 /// 0 to 10; default 5.
 /// Manual: 6.1 T6-1 L1065.
+///
+/// Erratum E072, max: printed 10, kept. Ten objects of 32 bits are 40 bytes, and 3.4 allows 32 bytes in all, here and in the seven other mapping objects; past that the drive stays out of safe-operational. Kept: both limits hold.
 #[doc(alias = "1600")]
 pub const NUMBER_OF_MAPPED_RXPDO1: Object<u8, Rw, Unmapped, Raw> =
     Object::new(0x1600, 0x00).range(0, 10);
@@ -95,7 +120,7 @@ pub const RXPDO1_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0
 /// Manual: 6.1 T6-1 L1068.
 /// The name is inferred: The space is out of place; the other rows of the object have it one place later (L1066).
 ///
-/// Erratum E16, name: printed "3rd RxPDO 1Mapped Object", used "3rd RxPDO1 Mapped Object". The space is out of place; the other rows of the object have it one place later (L1066).
+/// Erratum E016, name: printed "3rd RxPDO 1Mapped Object", used "3rd RxPDO1 Mapped Object". The space is out of place; the other rows of the object have it one place later (L1066).
 #[doc(alias = "1600")]
 pub const RXPDO1_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x03);
 
@@ -103,9 +128,9 @@ pub const RXPDO1_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0
 ///
 /// Default 1618018320 (60710010h).
 /// Manual: 6.1 T6-1 L1069.
-/// The name is inferred: As for E16.
+/// The name is inferred: As for E016.
 ///
-/// Erratum E17, name: printed "4th RxPDO 1Mapped Object", used "4th RxPDO1 Mapped Object". As for E16.
+/// Erratum E017, name: printed "4th RxPDO 1Mapped Object", used "4th RxPDO1 Mapped Object". As for E016.
 #[doc(alias = "1600")]
 pub const RXPDO1_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x04);
 
@@ -127,9 +152,9 @@ pub const RXPDO1_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = Object::new(0
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1072.
-/// The name is inferred: As for E16.
+/// The name is inferred: As for E016.
 ///
-/// Erratum E18, name: printed "7th RxPDO 1Mapped Object", used "7th RxPDO1 Mapped Object". As for E16.
+/// Erratum E018, name: printed "7th RxPDO 1Mapped Object", used "7th RxPDO1 Mapped Object". As for E016.
 #[doc(alias = "1600")]
 pub const RXPDO1_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x07);
 
@@ -154,12 +179,263 @@ pub const RXPDO1_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = Object::new(0
 #[doc(alias = "1600")]
 pub const RXPDO1_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x0A);
 
+// 1601h RxPDO2 mapping
+
+/// Number of Mapped RxPDO2, `1601:00`: UNSIGNED8, rw, not mapped.
+///
+/// 0 to 10; default 2.
+/// Manual: 6.1 T6-1 L1076.
+#[doc(alias = "1601")]
+pub const NUMBER_OF_MAPPED_RXPDO2: Object<u8, Rw, Unmapped, Raw> =
+    Object::new(0x1601, 0x00).range(0, 10);
+
+/// 1st RxPDO2 Mapped Object, `1601:01`: UNSIGNED32, rw, not mapped.
+///
+/// Default 1614807056 (60400010h).
+/// Manual: 6.1 T6-1 L1077.
+#[doc(alias = "1601")]
+pub const RXPDO2_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x01);
+
+/// 2nd RxPDO2 Mapped Object, `1601:02`: UNSIGNED32, rw, not mapped.
+///
+/// Default 1618608160 (607A0020h).
+/// Manual: 6.1 T6-1 L1080.
+#[doc(alias = "1601")]
+pub const RXPDO2_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x02);
+
+/// 3rd RxPDO2 Mapped Object, `1601:03`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1081.
+/// The name is inferred: As for E016 (L1080).
+///
+/// Erratum E021, name: printed "3rd RxPDO 2Mapped Object", used "3rd RxPDO2 Mapped Object". As for E016 (L1080).
+#[doc(alias = "1601")]
+pub const RXPDO2_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x03);
+
+/// 4th RxPDO2 Mapped Object, `1601:04`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1082.
+/// The name is inferred: As for E016 (L1080).
+///
+/// Erratum E022, name: printed "4th RxPDO 2Mapped Object", used "4th RxPDO2 Mapped Object". As for E016 (L1080).
+#[doc(alias = "1601")]
+pub const RXPDO2_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x04);
+
+/// 5th RxPDO2 Mapped Object, `1601:05`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1083.
+#[doc(alias = "1601")]
+pub const RXPDO2_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x05);
+
+/// 6th RxPDO2 Mapped Object, `1601:06`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1084.
+#[doc(alias = "1601")]
+pub const RXPDO2_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x06);
+
+/// 7th RxPDO2 Mapped Object, `1601:07`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1085.
+#[doc(alias = "1601")]
+pub const RXPDO2_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x07);
+
+/// 8th RxPDO2 Mapped Object, `1601:08`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1086.
+#[doc(alias = "1601")]
+pub const RXPDO2_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x08);
+
+/// 9th RxPDO2 Mapped Object, `1601:09`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1087.
+#[doc(alias = "1601")]
+pub const RXPDO2_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x09);
+
+/// 10th RxPDO2 Mapped Object, `1601:0A`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1088.
+#[doc(alias = "1601")]
+pub const RXPDO2_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x0A);
+
+// 1602h RxPDO3 mapping
+
+/// Number of Mapped RxPDO3, `1602:00`: UNSIGNED8, rw, not mapped.
+///
+/// 0 to 10.
+/// Note: The row is shifted by one cell in the text extract, and its default is lost: see E023. Two mapped objects are printed below it.
+/// Manual: 6.1 T6-1 L1089.
+///
+/// Erratum E023, max: printed 10, kept. The row is shifted by one cell to the right in the text extract: the index stands under the sub-index, the range 0\~10 under the default, and the default is lost. In the rows below only the sub-index is out of place (L1090 to L1099). That the default is 2, as in the neighbours, follows from the two objects mapped; it is not printed.
+#[doc(alias = "1602")]
+pub const NUMBER_OF_MAPPED_RXPDO3: Object<u8, Rw, Unmapped, Raw> =
+    Object::new(0x1602, 0x00).range(0, 10);
+
+/// 1st RxPDO3 Mapped Object, `1602:01`: UNSIGNED32, rw, not mapped.
+///
+/// Default 1614807056 (60400010h).
+/// Manual: 6.1 T6-1 L1090.
+#[doc(alias = "1602")]
+pub const RXPDO3_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x01);
+
+/// 2nd RxPDO3 Mapped Object, `1602:02`: UNSIGNED32, rw, not mapped.
+///
+/// Default 1627324448 (60FF0020h).
+/// Manual: 6.1 T6-1 L1091.
+#[doc(alias = "1602")]
+pub const RXPDO3_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x02);
+
+/// 3rd RxPDO3 Mapped Object, `1602:03`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1092.
+#[doc(alias = "1602")]
+pub const RXPDO3_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x03);
+
+/// 4th RxPDO3 Mapped Object, `1602:04`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1093.
+#[doc(alias = "1602")]
+pub const RXPDO3_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x04);
+
+/// 5th RxPDO3 Mapped Object, `1602:05`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1094.
+#[doc(alias = "1602")]
+pub const RXPDO3_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x05);
+
+/// 6th RxPDO3 Mapped Object, `1602:06`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1095.
+#[doc(alias = "1602")]
+pub const RXPDO3_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x06);
+
+/// 7th RxPDO3 Mapped Object, `1602:07`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1096.
+#[doc(alias = "1602")]
+pub const RXPDO3_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x07);
+
+/// 8th RxPDO3 Mapped Object, `1602:08`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1097.
+#[doc(alias = "1602")]
+pub const RXPDO3_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x08);
+
+/// 9th RxPDO3 Mapped Object, `1602:09`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1098.
+#[doc(alias = "1602")]
+pub const RXPDO3_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x09);
+
+/// 10th RxPDO3 Mapped Object, `1602:0A`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1099.
+#[doc(alias = "1602")]
+pub const RXPDO3_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x0A);
+
+// 1603h RxPDO4 mapping
+
+/// Number of Mapped RxPDO4, `1603:00`: UNSIGNED8, rw, not mapped.
+///
+/// 0 to 10; default 0.
+/// Manual: 6.1 T6-1 L1100.
+#[doc(alias = "1603")]
+pub const NUMBER_OF_MAPPED_RXPDO4: Object<u8, Rw, Unmapped, Raw> =
+    Object::new(0x1603, 0x00).range(0, 10);
+
+/// 1st RxPDO4 Mapped Object, `1603:01`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1101.
+#[doc(alias = "1603")]
+pub const RXPDO4_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x01);
+
+/// 2nd RxPDO4 Mapped Object, `1603:02`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1102.
+#[doc(alias = "1603")]
+pub const RXPDO4_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x02);
+
+/// 3rd RxPDO4 Mapped Object, `1603:03`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1103.
+#[doc(alias = "1603")]
+pub const RXPDO4_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x03);
+
+/// 4th RxPDO4 Mapped Object, `1603:04`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1104.
+#[doc(alias = "1603")]
+pub const RXPDO4_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x04);
+
+/// 5th RxPDO4 Mapped Object, `1603:05`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1105.
+#[doc(alias = "1603")]
+pub const RXPDO4_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x05);
+
+/// 6th RxPDO4 Mapped Object, `1603:06`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1106.
+#[doc(alias = "1603")]
+pub const RXPDO4_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x06);
+
+/// 7th RxPDO4 Mapped Object, `1603:07`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1107.
+#[doc(alias = "1603")]
+pub const RXPDO4_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x07);
+
+/// 8th RxPDO4 Mapped Object, `1603:08`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1108.
+#[doc(alias = "1603")]
+pub const RXPDO4_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x08);
+
+/// 9th RxPDO4 Mapped Object, `1603:09`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1109.
+#[doc(alias = "1603")]
+pub const RXPDO4_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x09);
+
+/// 10th RxPDO4 Mapped Object, `1603:0A`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1112.
+#[doc(alias = "1603")]
+pub const RXPDO4_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x0A);
+
 // 1A00h TxPDO1 mapping
 
 /// Number of Mapped TxPDO1, `1A00:00`: UNSIGNED8, rw, not mapped.
 ///
 /// 0 to 10; default 5.
 /// Manual: 6.1 T6-1 L1113.
+///
+/// Erratum E068, min: printed 0, kept. The steps of 3.4 allow 1 to 10. 0 switches the mapping off while it is changed (L225). Kept.
 #[doc(alias = "1A00")]
 pub const NUMBER_OF_MAPPED_TXPDO1: Object<u8, Rw, Unmapped, Raw> =
     Object::new(0x1A00, 0x00).range(0, 10);
@@ -234,6 +510,283 @@ pub const TXPDO1_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = Object::new(0
 #[doc(alias = "1A00")]
 pub const TXPDO1_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A00, 0x0A);
 
+// 1A01h TxPDO2 mapping
+
+/// Number of Mapped TxPDO2, `1A01:00`: UNSIGNED8, rw, not mapped.
+///
+/// 0 to 10; default 2.
+/// Manual: 6.1 T6-1 L1124.
+#[doc(alias = "1A01")]
+pub const NUMBER_OF_MAPPED_TXPDO2: Object<u8, Rw, Unmapped, Raw> =
+    Object::new(0x1A01, 0x00).range(0, 10);
+
+/// 1st TxPDO2 Mapped Object, `1A01:01`: UNSIGNED32, rw, not mapped.
+///
+/// Default 1614872592 (60410010h).
+/// Manual: 6.1 T6-1 L1125.
+#[doc(alias = "1A01")]
+pub const TXPDO2_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x01);
+
+/// 2nd TxPDO2 Mapped Object, `1A01:02`: UNSIGNED32, rw, not mapped.
+///
+/// Default 1617166368 (60640020h).
+/// Manual: 6.1 T6-1 L1126.
+#[doc(alias = "1A01")]
+pub const TXPDO2_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x02);
+
+/// 3rd TxPDO2 Mapped Object, `1A01:03`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1127.
+#[doc(alias = "1A01")]
+pub const TXPDO2_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x03);
+
+/// 4th TxPDO2 Mapped Object, `1A01:04`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1128.
+#[doc(alias = "1A01")]
+pub const TXPDO2_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x04);
+
+/// 5th TxPDO2 Mapped Object, `1A01:05`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1129.
+#[doc(alias = "1A01")]
+pub const TXPDO2_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x05);
+
+/// 6th TxPDO2 Mapped Object, `1A01:06`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1130.
+#[doc(alias = "1A01")]
+pub const TXPDO2_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x06);
+
+/// 7th TxPDO2 Mapped Object, `1A01:07`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1131.
+#[doc(alias = "1A01")]
+pub const TXPDO2_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x07);
+
+/// 8th TxPDO2 Mapped Object, `1A01:08`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1132.
+#[doc(alias = "1A01")]
+pub const TXPDO2_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x08);
+
+/// 9th TxPDO2 Mapped Object, `1A01:09`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1133.
+#[doc(alias = "1A01")]
+pub const TXPDO2_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x09);
+
+/// 10th TxPDO2 Mapped Object, `1A01:0A`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1134.
+#[doc(alias = "1A01")]
+pub const TXPDO2_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x0A);
+
+// 1A02h TxPDO3 mapping
+
+/// Number of Mapped TxPDO3, `1A02:00`: UNSIGNED8, rw, not mapped.
+///
+/// 0 to 10; default 2.
+/// Manual: 6.1 T6-1 L1135.
+#[doc(alias = "1A02")]
+pub const NUMBER_OF_MAPPED_TXPDO3: Object<u8, Rw, Unmapped, Raw> =
+    Object::new(0x1A02, 0x00).range(0, 10);
+
+/// 1st TxPDO3 Mapped Object, `1A02:01`: UNSIGNED32, rw, not mapped.
+///
+/// Default 1614872592 (60410010h).
+/// Manual: 6.1 T6-1 L1136.
+#[doc(alias = "1A02")]
+pub const TXPDO3_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x01);
+
+/// 2nd TxPDO3 Mapped Object, `1A02:02`: UNSIGNED32, rw, not mapped.
+///
+/// Default 1617690656 (606C0020h).
+/// Manual: 6.1 T6-1 L1137.
+#[doc(alias = "1A02")]
+pub const TXPDO3_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x02);
+
+/// 3rd TxPDO3 Mapped Object, `1A02:03`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1138.
+#[doc(alias = "1A02")]
+pub const TXPDO3_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x03);
+
+/// 4th TxPDO3 Mapped Object, `1A02:04`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1139.
+#[doc(alias = "1A02")]
+pub const TXPDO3_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x04);
+
+/// 5th TxPDO3 Mapped Object, `1A02:05`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1140.
+#[doc(alias = "1A02")]
+pub const TXPDO3_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x05);
+
+/// 6th TxPDO3 Mapped Object, `1A02:06`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1141.
+#[doc(alias = "1A02")]
+pub const TXPDO3_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x06);
+
+/// 7th TxPDO3 Mapped Object, `1A02:07`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1144.
+#[doc(alias = "1A02")]
+pub const TXPDO3_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x07);
+
+/// 8th TxPDO3 Mapped Object, `1A02:08`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1145.
+#[doc(alias = "1A02")]
+pub const TXPDO3_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x08);
+
+/// 9th TxPDO3 Mapped Object, `1A02:09`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1146.
+#[doc(alias = "1A02")]
+pub const TXPDO3_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x09);
+
+/// 10th TxPDO3 Mapped Object, `1A02:0A`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1147.
+#[doc(alias = "1A02")]
+pub const TXPDO3_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x0A);
+
+// 1A03h TxPDO4 mapping
+
+/// Number of Mapped TxPDO4, `1A03:00`: UNSIGNED8, rw, not mapped.
+///
+/// 0 to 10; default 0.
+/// Manual: 6.1 T6-1 L1148.
+#[doc(alias = "1A03")]
+pub const NUMBER_OF_MAPPED_TXPDO4: Object<u8, Rw, Unmapped, Raw> =
+    Object::new(0x1A03, 0x00).range(0, 10);
+
+/// 1st TxPDO4 Mapped Object, `1A03:01`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1149.
+#[doc(alias = "1A03")]
+pub const TXPDO4_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x01);
+
+/// 2nd TxPDO4 Mapped Object, `1A03:02`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1150.
+#[doc(alias = "1A03")]
+pub const TXPDO4_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x02);
+
+/// 3rd TxPDO4 Mapped Object, `1A03:03`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1151.
+#[doc(alias = "1A03")]
+pub const TXPDO4_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x03);
+
+/// 4th TxPDO4 Mapped Object, `1A03:04`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1152.
+#[doc(alias = "1A03")]
+pub const TXPDO4_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x04);
+
+/// 5th TxPDO4 Mapped Object, `1A03:05`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1153.
+#[doc(alias = "1A03")]
+pub const TXPDO4_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x05);
+
+/// 6th TxPDO4 Mapped Object, `1A03:06`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1154.
+#[doc(alias = "1A03")]
+pub const TXPDO4_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x06);
+
+/// 7th TxPDO4 Mapped Object, `1A03:07`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1155.
+#[doc(alias = "1A03")]
+pub const TXPDO4_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x07);
+
+/// 8th TxPDO4 Mapped Object, `1A03:08`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1156.
+#[doc(alias = "1A03")]
+pub const TXPDO4_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x08);
+
+/// 9th TxPDO4 Mapped Object, `1A03:09`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1157.
+#[doc(alias = "1A03")]
+pub const TXPDO4_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x09);
+
+/// 10th TxPDO4 Mapped Object, `1A03:0A`: UNSIGNED32, rw, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1158.
+#[doc(alias = "1A03")]
+pub const TXPDO4_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x0A);
+
+// 1C00h Sync manager communication type
+
+/// Sync manager type, `1C00:00`: UNSIGNED8, ro, not mapped.
+///
+/// Default 4.
+/// Manual: 6.1 T6-1 L1159.
+#[doc(alias = "1C00")]
+pub const SYNC_MANAGER_TYPE: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C00, 0x00);
+
+/// Sync manager 0, `1C00:01`: UNSIGNED8, ro, not mapped.
+///
+/// Default 1.
+/// Manual: 6.1 T6-1 L1160.
+#[doc(alias = "1C00")]
+pub const SYNC_MANAGER_0: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C00, 0x01);
+
+/// Sync manager 1, `1C00:02`: UNSIGNED8, ro, not mapped.
+///
+/// Default 2.
+/// Manual: 6.1 T6-1 L1161.
+#[doc(alias = "1C00")]
+pub const SYNC_MANAGER_1: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C00, 0x02);
+
+/// Sync manager 2, `1C00:03`: UNSIGNED8, ro, not mapped.
+///
+/// Default 3.
+/// Manual: 6.1 T6-1 L1162.
+#[doc(alias = "1C00")]
+pub const SYNC_MANAGER_2: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C00, 0x03);
+
+/// Sync manager 3, `1C00:04`: UNSIGNED8, ro, not mapped.
+///
+/// Default 4.
+/// Manual: 6.1 T6-1 L1163.
+#[doc(alias = "1C00")]
+pub const SYNC_MANAGER_3: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C00, 0x04);
+
 // 1C12h Sync manager 2 PDO assignment
 
 /// Sync Manager RxPDO Assign, `1C12:00`: UNSIGNED8, rw, not mapped.
@@ -241,7 +794,7 @@ pub const TXPDO1_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(
 /// 0 to 4; default 1.
 /// Manual: 6.1 T6-1 L1164.
 ///
-/// Erratum E05, max: printed 4, kept. 3.4 says that one RxPDO can be assigned. Kept; a master should write 0 or 1.
+/// Erratum E005, max: printed 4, kept. 3.4 says that one RxPDO can be assigned. Kept; a master should write 0 or 1.
 #[doc(alias = "1C12")]
 pub const SYNC_MANAGER_RXPDO_ASSIGN: Object<u8, Rw, Unmapped, Raw> =
     Object::new(0x1C12, 0x00).range(0, 4);
@@ -288,7 +841,7 @@ pub const INDEX_OF_ASSIGNED_RXPDO4: Object<u16, Rw, Unmapped, Raw> =
 /// 0 to 4; default 1.
 /// Manual: 6.1 T6-1 L1169.
 ///
-/// Erratum E06, max: printed 4, kept. 3.4 says that one TxPDO can be assigned. Kept; a master should write 0 or 1.
+/// Erratum E006, max: printed 4, kept. 3.4 says that one TxPDO can be assigned. Kept; a master should write 0 or 1.
 #[doc(alias = "1C13")]
 pub const SYNC_MANAGER_TXPDO_ASSIGN: Object<u8, Rw, Unmapped, Raw> =
     Object::new(0x1C13, 0x00).range(0, 4);
@@ -328,6 +881,4088 @@ pub const INDEX_OF_ASSIGNED_TXPDO3: Object<u16, Rw, Unmapped, Raw> =
 pub const INDEX_OF_ASSIGNED_TXPDO4: Object<u16, Rw, Unmapped, Raw> =
     Object::new(0x1C13, 0x04).range(6656, 6659);
 
+// 1C32h Sync manager 2 synchronization
+
+/// SM output parameter, `1C32:00`: UNSIGNED8, ro, not mapped.
+///
+/// Default 32.
+/// Manual: 6.1 T6-1 L1176.
+///
+/// Erratum E062, default: printed 32, kept. The highest sub-index, not the number of entries: 11 to 31 are not printed. Sub-indexes are decimal in these tables, so that 32 is 20h. Kept.
+#[doc(alias = "1C32")]
+pub const SM_OUTPUT_PARAMETER: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C32, 0x00);
+
+/// Synchronization Type, `1C32:01`: UNSIGNED16, ro, not mapped.
+///
+/// Shows the mode that the drive took on the way to safe-operational; it cannot be set.
+/// Default 2.
+/// Manual: 6.1 T6-1 L1177, 3.5 L237.
+#[doc(alias = "1C32")]
+pub const SM_OUTPUT_SYNCHRONIZATION_TYPE: Object<u16, Ro, Unmapped, Raw> =
+    Object::new(0x1C32, 0x01);
+
+/// Cycle Time, `1C32:02`: UNSIGNED32, rw, not mapped.
+///
+/// In free run mode: the time in which the drive updates its data.
+/// In ns; 250000 to 10000000; default 1000000.
+/// Manual: 6.1 T6-1 L1178, 3.5.2 L263.
+///
+/// Erratum E063, min: printed 250000, kept. In free run mode, the one in which the object is written, 3.5.2 allows 1 ms to 10 ms; 250 us is the limit of DC mode. Kept.
+#[doc(alias = "1C32")]
+pub const SM_OUTPUT_CYCLE_TIME: Object<u32, Rw, Unmapped, Time> =
+    Object::new(0x1C32, 0x02).range(250_000, 10_000_000).scale(1, 1_000_000_000);
+
+/// Shift Time, `1C32:03`: UNSIGNED32, ro, not mapped.
+///
+/// In ns; default 0.
+/// Manual: 6.1 T6-1 L1179.
+#[doc(alias = "1C32")]
+pub const SM_OUTPUT_SHIFT_TIME: Object<u32, Ro, Unmapped, Time> =
+    Object::new(0x1C32, 0x03).scale(1, 1_000_000_000);
+
+/// Synchronization Types supported, `1C32:04`: UNSIGNED16, ro, not mapped.
+///
+/// Default 5.
+/// Manual: 6.1 T6-1 L1180.
+#[doc(alias = "1C32")]
+pub const SM_OUTPUT_SYNCHRONIZATION_TYPES_SUPPORTED: Object<u16, Ro, Unmapped, Raw> =
+    Object::new(0x1C32, 0x04);
+
+/// Minimum Cycle Time, `1C32:05`: UNSIGNED32, ro, not mapped.
+///
+/// In ns; default 0.
+/// Manual: 6.1 T6-1 L1181.
+///
+/// Erratum E064, default: printed 0, kept. The least cycle that the drive allows is 250 us. 0 may mean that it is not stated. Kept.
+#[doc(alias = "1C32")]
+pub const SM_OUTPUT_MINIMUM_CYCLE_TIME: Object<u32, Ro, Unmapped, Time> =
+    Object::new(0x1C32, 0x05).scale(1, 1_000_000_000);
+
+/// Calc and Copy Time, `1C32:06`: UNSIGNED32, ro, not mapped.
+///
+/// In ns; default 0.
+/// Manual: 6.1 T6-1 L1182.
+#[doc(alias = "1C32")]
+pub const SM_OUTPUT_CALC_AND_COPY_TIME: Object<u32, Ro, Unmapped, Time> =
+    Object::new(0x1C32, 0x06).scale(1, 1_000_000_000);
+
+/// Minimum Delay Time, `1C32:07`: UNSIGNED32, ro, not mapped.
+///
+/// In ns; default 0.
+/// Manual: 6.1 T6-1 L1183.
+#[doc(alias = "1C32")]
+pub const SM_OUTPUT_MINIMUM_DELAY_TIME: Object<u32, Ro, Unmapped, Time> =
+    Object::new(0x1C32, 0x07).scale(1, 1_000_000_000);
+
+/// Get Cycle Time, `1C32:08`: UNSIGNED16, ro, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1184.
+#[doc(alias = "1C32")]
+pub const SM_OUTPUT_GET_CYCLE_TIME: Object<u16, Ro, Unmapped, Raw> = Object::new(0x1C32, 0x08);
+
+/// Delay Time, `1C32:09`: UNSIGNED32, ro, not mapped.
+///
+/// In ns; default 0.
+/// Manual: 6.1 T6-1 L1185.
+#[doc(alias = "1C32")]
+pub const SM_OUTPUT_DELAY_TIME: Object<u32, Ro, Unmapped, Time> =
+    Object::new(0x1C32, 0x09).scale(1, 1_000_000_000);
+
+/// Sync0 Cycle Time, `1C32:0A`: UNSIGNED32, ro, not mapped.
+///
+/// In DC mode: the cycle time, taken from what the master set in the DC registers.
+/// In ns; default 0.
+/// Manual: 6.1 T6-1 L1186, 3.5.1 L245.
+#[doc(alias = "1C32")]
+pub const SM_OUTPUT_SYNC0_CYCLE_TIME: Object<u32, Ro, Unmapped, Time> =
+    Object::new(0x1C32, 0x0A).scale(1, 1_000_000_000);
+
+/// Sync Error, `1C32:20`: BOOLEAN, ro, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1187.
+#[doc(alias = "1C32")]
+pub const SM_OUTPUT_SYNC_ERROR: Object<bool, Ro, Unmapped, Raw> = Object::new(0x1C32, 0x20);
+
+// 1C33h Sync manager 3 synchronization
+
+/// SM input parameter, `1C33:00`: UNSIGNED8, ro, not mapped.
+///
+/// Note: The row is shifted by one cell in the text extract, and its default is lost: see E024. The highest sub-index printed is 32.
+/// Manual: 6.1 T6-1 L1188.
+///
+/// Erratum E024, access: printed "ro", kept. The row is shifted by one cell to the right in the text extract: RO stands under the PDO map, and the default is lost. In the rows below only the sub-index is out of place (L1189 to L1199). Its neighbour has 32.
+#[doc(alias = "1C33")]
+pub const SM_INPUT_PARAMETER: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C33, 0x00);
+
+/// Synchronization Type, `1C33:01`: UNSIGNED16, ro, not mapped.
+///
+/// Default 2.
+/// Manual: 6.1 T6-1 L1189.
+#[doc(alias = "1C33")]
+pub const SM_INPUT_SYNCHRONIZATION_TYPE: Object<u16, Ro, Unmapped, Raw> = Object::new(0x1C33, 0x01);
+
+/// Cycle Time, `1C33:02`: UNSIGNED32, rw, not mapped.
+///
+/// In ns; 250000 to 10000000; default 1000000.
+/// Manual: 6.1 T6-1 L1190.
+///
+/// Erratum E065, min: printed 250000, kept. As for E063; and 3.5.2 sets the cycle in 1C32h alone. What writing it here does is not said. Kept.
+#[doc(alias = "1C33")]
+pub const SM_INPUT_CYCLE_TIME: Object<u32, Rw, Unmapped, Time> =
+    Object::new(0x1C33, 0x02).range(250_000, 10_000_000).scale(1, 1_000_000_000);
+
+/// Shift Time, `1C33:03`: UNSIGNED32, rw, not mapped.
+///
+/// Time from the DC synchronization to the latching of the inputs: a multiple of 62500, any other value is refused.
+/// In ns; default 0.
+/// Manual: 6.1 T6-1 L1191, 3.5.1 L253.
+///
+/// Erratum E066, default: printed 0, kept. P4.09 sets the same time. 2.4 counts it from 26000, so that its default of 0 would give 26000, which is no multiple of 62500; 3.5.1 has 62500 times the parameter and no 26000. Kept.
+#[doc(alias = "1C33")]
+pub const SM_INPUT_SHIFT_TIME: Object<u32, Rw, Unmapped, Time> =
+    Object::new(0x1C33, 0x03).scale(1, 1_000_000_000);
+
+/// Synchronization Types supported, `1C33:04`: UNSIGNED16, ro, not mapped.
+///
+/// Default 5.
+/// Manual: 6.1 T6-1 L1192.
+#[doc(alias = "1C33")]
+pub const SM_INPUT_SYNCHRONIZATION_TYPES_SUPPORTED: Object<u16, Ro, Unmapped, Raw> =
+    Object::new(0x1C33, 0x04);
+
+/// Minimum Cycle Time, `1C33:05`: UNSIGNED32, ro, not mapped.
+///
+/// In ns; default 0.
+/// Manual: 6.1 T6-1 L1193.
+///
+/// Erratum E067, default: printed 0, kept. As for E064.
+#[doc(alias = "1C33")]
+pub const SM_INPUT_MINIMUM_CYCLE_TIME: Object<u32, Ro, Unmapped, Time> =
+    Object::new(0x1C33, 0x05).scale(1, 1_000_000_000);
+
+/// Calc and Copy Time, `1C33:06`: UNSIGNED32, ro, not mapped.
+///
+/// In ns; default 0.
+/// Manual: 6.1 T6-1 L1194.
+#[doc(alias = "1C33")]
+pub const SM_INPUT_CALC_AND_COPY_TIME: Object<u32, Ro, Unmapped, Time> =
+    Object::new(0x1C33, 0x06).scale(1, 1_000_000_000);
+
+/// Minimum Delay Time, `1C33:07`: UNSIGNED32, ro, not mapped.
+///
+/// In ns; default 0.
+/// Manual: 6.1 T6-1 L1195.
+#[doc(alias = "1C33")]
+pub const SM_INPUT_MINIMUM_DELAY_TIME: Object<u32, Ro, Unmapped, Time> =
+    Object::new(0x1C33, 0x07).scale(1, 1_000_000_000);
+
+/// Get Cycle Time, `1C33:08`: UNSIGNED16, ro, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1196.
+#[doc(alias = "1C33")]
+pub const SM_INPUT_GET_CYCLE_TIME: Object<u16, Ro, Unmapped, Raw> = Object::new(0x1C33, 0x08);
+
+/// Delay Time, `1C33:09`: UNSIGNED32, ro, not mapped.
+///
+/// In ns; default 0.
+/// Manual: 6.1 T6-1 L1197.
+#[doc(alias = "1C33")]
+pub const SM_INPUT_DELAY_TIME: Object<u32, Ro, Unmapped, Time> =
+    Object::new(0x1C33, 0x09).scale(1, 1_000_000_000);
+
+/// Sync0 Cycle Time, `1C33:0A`: UNSIGNED32, ro, not mapped.
+///
+/// In ns; default 0.
+/// Manual: 6.1 T6-1 L1198.
+#[doc(alias = "1C33")]
+pub const SM_INPUT_SYNC0_CYCLE_TIME: Object<u32, Ro, Unmapped, Time> =
+    Object::new(0x1C33, 0x0A).scale(1, 1_000_000_000);
+
+/// Sync Error, `1C33:20`: BOOLEAN, ro, not mapped.
+///
+/// Default 0.
+/// Manual: 6.1 T6-1 L1199.
+#[doc(alias = "1C33")]
+pub const SM_INPUT_SYNC_ERROR: Object<bool, Ro, Unmapped, Raw> = Object::new(0x1C33, 0x20);
+
+// 3000h Number of Servo Para Group1
+
+/// Number of Servo Para Group1, `3000:00`: UNSIGNED8, ro, not mapped.
+///
+/// Default 99.
+/// Manual: 6.3 T6-3 L1270.
+#[doc(alias = "3000")]
+pub const NUMBER_OF_SERVO_PARA_GROUP1: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3000, 0x00);
+
+/// Servo mode, `3000:01`: INTEGER32, rw, not mapped.
+///
+/// 9 is EtherCAT mode.
+/// 0 to 9; default 9.
+/// Manual: 2.4 L140 L154.
+/// Manual, the type: 6.3 T6-3 L1271, 6.3 L1343.
+/// Manual, the access: 6.3 T6-3 L1271, 6.3 L1343.
+/// Manual, the mapping: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_MODE: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x01).range(0, 9);
+
+/// Servo Parameter Group 1, `3000:02`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x02);
+
+/// Servo Parameter Group 1, `3000:03`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x03);
+
+/// Servo Parameter Group 1, `3000:04`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_4: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x04);
+
+/// Servo Parameter Group 1, `3000:05`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_5: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x05);
+
+/// Servo Parameter Group 1, `3000:06`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_6: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x06);
+
+/// Servo Parameter Group 1, `3000:07`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_7: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x07);
+
+/// Servo Parameter Group 1, `3000:08`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_8: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x08);
+
+/// Servo Parameter Group 1, `3000:09`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_9: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x09);
+
+/// Servo Parameter Group 1, `3000:0A`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_10: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x0A);
+
+/// Servo Parameter Group 1, `3000:0B`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_11: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x0B);
+
+/// Servo Parameter Group 1, `3000:0C`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_12: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x0C);
+
+/// Servo Parameter Group 1, `3000:0D`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_13: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x0D);
+
+/// Servo Parameter Group 1, `3000:0E`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_14: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x0E);
+
+/// Servo Parameter Group 1, `3000:0F`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_15: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x0F);
+
+/// Servo Parameter Group 1, `3000:10`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_16: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x10);
+
+/// Servo Parameter Group 1, `3000:11`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_17: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x11);
+
+/// Servo Parameter Group 1, `3000:12`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_18: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x12);
+
+/// Servo Parameter Group 1, `3000:13`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_19: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x13);
+
+/// Servo Parameter Group 1, `3000:14`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_20: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x14);
+
+/// Servo Parameter Group 1, `3000:15`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_21: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x15);
+
+/// Servo Parameter Group 1, `3000:16`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_22: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x16);
+
+/// Servo Parameter Group 1, `3000:17`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_23: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x17);
+
+/// Servo Parameter Group 1, `3000:18`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_24: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x18);
+
+/// Servo Parameter Group 1, `3000:19`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_25: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x19);
+
+/// Servo Parameter Group 1, `3000:1A`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_26: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x1A);
+
+/// Servo Parameter Group 1, `3000:1B`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_27: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x1B);
+
+/// Servo Parameter Group 1, `3000:1C`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_28: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x1C);
+
+/// Servo Parameter Group 1, `3000:1D`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_29: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x1D);
+
+/// Servo Parameter Group 1, `3000:1E`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_30: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x1E);
+
+/// Servo Parameter Group 1, `3000:1F`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_31: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x1F);
+
+/// Servo Parameter Group 1, `3000:20`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_32: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x20);
+
+/// Servo Parameter Group 1, `3000:21`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_33: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x21);
+
+/// Servo Parameter Group 1, `3000:22`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_34: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x22);
+
+/// Servo Parameter Group 1, `3000:23`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_35: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x23);
+
+/// Servo Parameter Group 1, `3000:24`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_36: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x24);
+
+/// Servo Parameter Group 1, `3000:25`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_37: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x25);
+
+/// Servo Parameter Group 1, `3000:26`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_38: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x26);
+
+/// Servo Parameter Group 1, `3000:27`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_39: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x27);
+
+/// Servo Parameter Group 1, `3000:28`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_40: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x28);
+
+/// Servo Parameter Group 1, `3000:29`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_41: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x29);
+
+/// Servo Parameter Group 1, `3000:2A`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_42: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x2A);
+
+/// Servo Parameter Group 1, `3000:2B`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_43: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x2B);
+
+/// Servo Parameter Group 1, `3000:2C`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_44: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x2C);
+
+/// Servo Parameter Group 1, `3000:2D`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_45: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x2D);
+
+/// Servo Parameter Group 1, `3000:2E`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_46: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x2E);
+
+/// Servo Parameter Group 1, `3000:2F`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_47: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x2F);
+
+/// Servo Parameter Group 1, `3000:30`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_48: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x30);
+
+/// Servo Parameter Group 1, `3000:31`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_49: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x31);
+
+/// Servo Parameter Group 1, `3000:32`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_50: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x32);
+
+/// Servo Parameter Group 1, `3000:33`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_51: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x33);
+
+/// Servo Parameter Group 1, `3000:34`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_52: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x34);
+
+/// Servo Parameter Group 1, `3000:35`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_53: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x35);
+
+/// Servo Parameter Group 1, `3000:36`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_54: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x36);
+
+/// Servo Parameter Group 1, `3000:37`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_55: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x37);
+
+/// Servo Parameter Group 1, `3000:38`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_56: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x38);
+
+/// Servo Parameter Group 1, `3000:39`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_57: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x39);
+
+/// Servo Parameter Group 1, `3000:3A`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_58: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x3A);
+
+/// Servo Parameter Group 1, `3000:3B`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_59: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x3B);
+
+/// Servo Parameter Group 1, `3000:3C`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_60: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x3C);
+
+/// Servo Parameter Group 1, `3000:3D`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_61: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x3D);
+
+/// Servo Parameter Group 1, `3000:3E`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_62: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x3E);
+
+/// Servo Parameter Group 1, `3000:3F`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_63: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x3F);
+
+/// Servo Parameter Group 1, `3000:40`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_64: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x40);
+
+/// Servo Parameter Group 1, `3000:41`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_65: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x41);
+
+/// Servo Parameter Group 1, `3000:42`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_66: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x42);
+
+/// Servo Parameter Group 1, `3000:43`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_67: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x43);
+
+/// Servo Parameter Group 1, `3000:44`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_68: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x44);
+
+/// Servo Parameter Group 1, `3000:45`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_69: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x45);
+
+/// Servo Parameter Group 1, `3000:46`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_70: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x46);
+
+/// Servo Parameter Group 1, `3000:47`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_71: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x47);
+
+/// Servo Parameter Group 1, `3000:48`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_72: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x48);
+
+/// Servo Parameter Group 1, `3000:49`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_73: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x49);
+
+/// Servo Parameter Group 1, `3000:4A`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_74: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x4A);
+
+/// Servo Parameter Group 1, `3000:4B`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_75: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x4B);
+
+/// Servo Parameter Group 1, `3000:4C`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_76: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x4C);
+
+/// Servo Parameter Group 1, `3000:4D`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_77: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x4D);
+
+/// Servo Parameter Group 1, `3000:4E`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_78: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x4E);
+
+/// Servo Parameter Group 1, `3000:4F`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_79: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x4F);
+
+/// Servo Parameter Group 1, `3000:50`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_80: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x50);
+
+/// Servo Parameter Group 1, `3000:51`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_81: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x51);
+
+/// Servo Parameter Group 1, `3000:52`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_82: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x52);
+
+/// Servo Parameter Group 1, `3000:53`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_83: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x53);
+
+/// Servo Parameter Group 1, `3000:54`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_84: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x54);
+
+/// Servo Parameter Group 1, `3000:55`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_85: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x55);
+
+/// Servo Parameter Group 1, `3000:56`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_86: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x56);
+
+/// Servo Parameter Group 1, `3000:57`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_87: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x57);
+
+/// Servo Parameter Group 1, `3000:58`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_88: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x58);
+
+/// Servo Parameter Group 1, `3000:59`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_89: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x59);
+
+/// Servo Parameter Group 1, `3000:5A`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_90: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x5A);
+
+/// Servo Parameter Group 1, `3000:5B`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_91: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x5B);
+
+/// Servo Parameter Group 1, `3000:5C`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_92: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x5C);
+
+/// Servo Parameter Group 1, `3000:5D`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_93: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x5D);
+
+/// Servo Parameter Group 1, `3000:5E`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_94: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x5E);
+
+/// Servo Parameter Group 1, `3000:5F`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_95: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x5F);
+
+/// Servo Parameter Group 1, `3000:60`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_96: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x60);
+
+/// Servo Parameter Group 1, `3000:61`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_97: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x61);
+
+/// Servo Parameter Group 1, `3000:62`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_98: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x62);
+
+/// Servo Parameter Group 1, `3000:63`: INTEGER32, rw, not mapped.
+///
+/// Parameter P1.nn at sub-index nn: P1.52 is sub-index 52.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1271, 6.3 L1343.
+#[doc(alias = "3000")]
+pub const SERVO_PARAMETER_GROUP_1_99: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x63);
+
+// 3001h Number of Servo Para Group2
+
+/// Number of Servo Para Group2, `3001:00`: UNSIGNED8, ro, not mapped.
+///
+/// Default 99.
+/// Manual: 6.3 T6-3 L1272.
+#[doc(alias = "3001")]
+pub const NUMBER_OF_SERVO_PARA_GROUP2: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3001, 0x00);
+
+/// Servo Parameter Group 2, `3001:01`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x01);
+
+/// Servo Parameter Group 2, `3001:02`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x02);
+
+/// Servo Parameter Group 2, `3001:03`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x03);
+
+/// Servo Parameter Group 2, `3001:04`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_4: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x04);
+
+/// Servo Parameter Group 2, `3001:05`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_5: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x05);
+
+/// Servo Parameter Group 2, `3001:06`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_6: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x06);
+
+/// Servo Parameter Group 2, `3001:07`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_7: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x07);
+
+/// Servo Parameter Group 2, `3001:08`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_8: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x08);
+
+/// Servo Parameter Group 2, `3001:09`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_9: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x09);
+
+/// Servo Parameter Group 2, `3001:0A`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_10: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x0A);
+
+/// Servo Parameter Group 2, `3001:0B`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_11: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x0B);
+
+/// Servo Parameter Group 2, `3001:0C`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_12: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x0C);
+
+/// Servo Parameter Group 2, `3001:0D`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_13: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x0D);
+
+/// Servo Parameter Group 2, `3001:0E`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_14: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x0E);
+
+/// Servo Parameter Group 2, `3001:0F`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_15: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x0F);
+
+/// Servo Parameter Group 2, `3001:10`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_16: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x10);
+
+/// Servo Parameter Group 2, `3001:11`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_17: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x11);
+
+/// Servo Parameter Group 2, `3001:12`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_18: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x12);
+
+/// Servo Parameter Group 2, `3001:13`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_19: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x13);
+
+/// Servo Parameter Group 2, `3001:14`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_20: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x14);
+
+/// Servo Parameter Group 2, `3001:15`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_21: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x15);
+
+/// Stopper homing P2.22, `3001:16`: INTEGER32, rw, not mapped.
+///
+/// Homing methods 36 and 37, which end at a stopper, need it.
+/// Manual: 4.4 L599.
+/// Manual, the type: 6.3 T6-3 L1273.
+/// Manual, the access: 6.3 T6-3 L1273.
+/// Manual, the mapping: 6.3 T6-3 L1273.
+/// The name is inferred: the manual prints the number only.
+#[doc(alias = "3001")]
+pub const STOPPER_HOMING_P2_22: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x16);
+
+/// Stopper homing P2.23, `3001:17`: INTEGER32, rw, not mapped.
+///
+/// Homing methods 36 and 37, which end at a stopper, need it.
+/// Manual: 4.4 L599.
+/// Manual, the type: 6.3 T6-3 L1273.
+/// Manual, the access: 6.3 T6-3 L1273.
+/// Manual, the mapping: 6.3 T6-3 L1273.
+/// The name is inferred: the manual prints the number only.
+#[doc(alias = "3001")]
+pub const STOPPER_HOMING_P2_23: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x17);
+
+/// Servo Parameter Group 2, `3001:18`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_24: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x18);
+
+/// Position command format, `3001:19`: INTEGER32, rw, not mapped.
+///
+/// The position of the motor is held inside the range of 607Dh.
+/// Only 0, 1; default 0.
+/// Note: The manual does not say for which value; in other rows the description belongs to the default.
+/// Manual: 2.4 L141 L154.
+/// Manual, the type: 6.3 T6-3 L1273.
+/// Manual, the access: 6.3 T6-3 L1273.
+/// Manual, the mapping: 6.3 T6-3 L1273.
+///
+/// Erratum E106, text: printed "The position of the motor is held inside the range of 607Dh.", kept. The row prints it for no value of its own. With 1, Infinite length, a limit makes little sense; read it for 0. Kept.
+#[doc(alias = "3001")]
+pub const POSITION_COMMAND_FORMAT: Object<enums::PositionCommandFormat, Rw, Unmapped, Raw> =
+    Object::new(0x3001, 0x19).allow(&[0, 1]);
+
+/// Servo Parameter Group 2, `3001:1A`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_26: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x1A);
+
+/// Servo Parameter Group 2, `3001:1B`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_27: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x1B);
+
+/// Servo Parameter Group 2, `3001:1C`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_28: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x1C);
+
+/// Servo Parameter Group 2, `3001:1D`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_29: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x1D);
+
+/// Servo Parameter Group 2, `3001:1E`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_30: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x1E);
+
+/// Servo Parameter Group 2, `3001:1F`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_31: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x1F);
+
+/// Servo Parameter Group 2, `3001:20`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_32: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x20);
+
+/// Servo Parameter Group 2, `3001:21`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_33: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x21);
+
+/// Servo Parameter Group 2, `3001:22`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_34: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x22);
+
+/// Servo Parameter Group 2, `3001:23`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_35: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x23);
+
+/// Servo Parameter Group 2, `3001:24`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_36: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x24);
+
+/// Servo Parameter Group 2, `3001:25`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_37: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x25);
+
+/// Servo Parameter Group 2, `3001:26`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_38: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x26);
+
+/// Servo Parameter Group 2, `3001:27`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_39: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x27);
+
+/// Servo Parameter Group 2, `3001:28`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_40: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x28);
+
+/// Servo Parameter Group 2, `3001:29`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_41: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x29);
+
+/// Servo Parameter Group 2, `3001:2A`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_42: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x2A);
+
+/// Servo Parameter Group 2, `3001:2B`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_43: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x2B);
+
+/// Servo Parameter Group 2, `3001:2C`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_44: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x2C);
+
+/// Servo Parameter Group 2, `3001:2D`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_45: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x2D);
+
+/// Servo Parameter Group 2, `3001:2E`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_46: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x2E);
+
+/// Servo Parameter Group 2, `3001:2F`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_47: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x2F);
+
+/// Servo Parameter Group 2, `3001:30`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_48: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x30);
+
+/// Servo Parameter Group 2, `3001:31`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_49: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x31);
+
+/// Servo Parameter Group 2, `3001:32`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_50: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x32);
+
+/// Servo Parameter Group 2, `3001:33`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_51: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x33);
+
+/// Servo Parameter Group 2, `3001:34`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_52: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x34);
+
+/// Servo Parameter Group 2, `3001:35`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_53: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x35);
+
+/// Servo Parameter Group 2, `3001:36`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_54: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x36);
+
+/// Servo Parameter Group 2, `3001:37`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_55: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x37);
+
+/// Servo Parameter Group 2, `3001:38`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_56: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x38);
+
+/// Servo Parameter Group 2, `3001:39`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_57: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x39);
+
+/// Servo Parameter Group 2, `3001:3A`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_58: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x3A);
+
+/// Servo Parameter Group 2, `3001:3B`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_59: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x3B);
+
+/// Servo Parameter Group 2, `3001:3C`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_60: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x3C);
+
+/// Servo Parameter Group 2, `3001:3D`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_61: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x3D);
+
+/// Servo Parameter Group 2, `3001:3E`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_62: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x3E);
+
+/// Servo Parameter Group 2, `3001:3F`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_63: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x3F);
+
+/// Servo Parameter Group 2, `3001:40`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_64: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x40);
+
+/// Servo Parameter Group 2, `3001:41`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_65: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x41);
+
+/// Servo Parameter Group 2, `3001:42`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_66: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x42);
+
+/// Servo Parameter Group 2, `3001:43`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_67: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x43);
+
+/// Servo Parameter Group 2, `3001:44`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_68: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x44);
+
+/// Servo Parameter Group 2, `3001:45`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_69: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x45);
+
+/// Servo Parameter Group 2, `3001:46`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_70: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x46);
+
+/// Servo Parameter Group 2, `3001:47`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_71: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x47);
+
+/// Servo Parameter Group 2, `3001:48`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_72: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x48);
+
+/// Servo Parameter Group 2, `3001:49`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_73: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x49);
+
+/// Servo Parameter Group 2, `3001:4A`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_74: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x4A);
+
+/// Servo Parameter Group 2, `3001:4B`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_75: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x4B);
+
+/// Servo Parameter Group 2, `3001:4C`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_76: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x4C);
+
+/// Initial display of the keypad, `3001:4D`: INTEGER32, rw, not mapped.
+///
+/// What the panel shows after power-on; 52, the default, is the EtherCAT status.
+/// From 0; default 52.
+/// Note: The default is outside the printed range: see E105.
+/// Manual: 2.4 L142 L154, 2.2 L103.
+/// Manual, the type: 6.3 T6-3 L1273.
+/// Manual, the access: 6.3 T6-3 L1273.
+/// Manual, the mapping: 6.3 T6-3 L1273.
+///
+/// Erratum E105, max: printed 42, dropped. The default, 52, is outside the printed range 0 to 42, and the description of the same row gives it a meaning: the range is too short. What the highest value is, is not printed.
+#[doc(alias = "3001")]
+pub const INITIAL_DISPLAY_OF_THE_KEYPAD: Object<enums::KeypadDisplay, Rw, Unmapped, Raw> =
+    Object::new(0x3001, 0x4D).range(0, i64::MAX);
+
+/// Servo Parameter Group 2, `3001:4E`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_78: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x4E);
+
+/// Servo Parameter Group 2, `3001:4F`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_79: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x4F);
+
+/// Servo Parameter Group 2, `3001:50`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_80: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x50);
+
+/// Servo Parameter Group 2, `3001:51`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_81: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x51);
+
+/// Servo Parameter Group 2, `3001:52`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_82: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x52);
+
+/// Servo Parameter Group 2, `3001:53`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_83: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x53);
+
+/// Servo Parameter Group 2, `3001:54`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_84: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x54);
+
+/// Servo Parameter Group 2, `3001:55`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_85: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x55);
+
+/// Servo Parameter Group 2, `3001:56`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_86: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x56);
+
+/// Servo Parameter Group 2, `3001:57`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_87: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x57);
+
+/// Servo Parameter Group 2, `3001:58`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_88: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x58);
+
+/// Servo Parameter Group 2, `3001:59`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_89: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x59);
+
+/// Servo Parameter Group 2, `3001:5A`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_90: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x5A);
+
+/// Servo Parameter Group 2, `3001:5B`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_91: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x5B);
+
+/// Servo Parameter Group 2, `3001:5C`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_92: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x5C);
+
+/// Servo Parameter Group 2, `3001:5D`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_93: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x5D);
+
+/// Servo Parameter Group 2, `3001:5E`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_94: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x5E);
+
+/// Servo Parameter Group 2, `3001:5F`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_95: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x5F);
+
+/// Servo Parameter Group 2, `3001:60`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_96: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x60);
+
+/// Servo Parameter Group 2, `3001:61`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_97: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x61);
+
+/// Servo Parameter Group 2, `3001:62`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_98: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x62);
+
+/// Servo Parameter Group 2, `3001:63`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 2.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1273.
+#[doc(alias = "3001")]
+pub const SERVO_PARAMETER_GROUP_2_99: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x63);
+
+// 3002h Number of Servo Para Group3
+
+/// Number of Servo Para Group3, `3002:00`: UNSIGNED8, ro, not mapped.
+///
+/// Default 99.
+/// Manual: 6.3 T6-3 L1274.
+#[doc(alias = "3002")]
+pub const NUMBER_OF_SERVO_PARA_GROUP3: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3002, 0x00);
+
+/// Function of EI1, `3002:01`: INTEGER32, rw, not mapped.
+///
+/// Function number of hardware input EI1; 40 is EXT1 and 41 is EXT2 of the touch probe.
+/// Manual: 6.3.4 L1367.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; five inputs and five parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_EI1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x01);
+
+/// Function of EI2, `3002:02`: INTEGER32, rw, not mapped.
+///
+/// Function number of hardware input EI2; 40 is EXT1 and 41 is EXT2 of the touch probe.
+/// Manual: 6.3.4 L1367.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; five inputs and five parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_EI2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x02);
+
+/// Function of EI3, `3002:03`: INTEGER32, rw, not mapped.
+///
+/// Function number of hardware input EI3; 40 is EXT1 and 41 is EXT2 of the touch probe.
+/// Manual: 6.3.4 L1367.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; five inputs and five parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_EI3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x03);
+
+/// Function of EI4, `3002:04`: INTEGER32, rw, not mapped.
+///
+/// Function number of hardware input EI4; 40 is EXT1 and 41 is EXT2 of the touch probe.
+/// Manual: 6.3.4 L1367.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; five inputs and five parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_EI4: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x04);
+
+/// Function of EI5, `3002:05`: INTEGER32, rw, not mapped.
+///
+/// Function number of hardware input EI5; 40 is EXT1 and 41 is EXT2 of the touch probe.
+/// Manual: 6.3.4 L1367.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; five inputs and five parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_EI5: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x05);
+
+/// Servo Parameter Group 3, `3002:06`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_6: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x06);
+
+/// Servo Parameter Group 3, `3002:07`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_7: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x07);
+
+/// Servo Parameter Group 3, `3002:08`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_8: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x08);
+
+/// Function of communication EI1, `3002:09`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication input 1.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EI1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x09);
+
+/// Function of communication EI2, `3002:0A`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication input 2.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EI2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0A);
+
+/// Function of communication EI3, `3002:0B`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication input 3.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EI3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0B);
+
+/// Function of communication EI4, `3002:0C`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication input 4.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EI4: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0C);
+
+/// Function of communication EI5, `3002:0D`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication input 5.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EI5: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0D);
+
+/// Function of communication EI6, `3002:0E`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication input 6.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EI6: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0E);
+
+/// Function of communication EI7, `3002:0F`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication input 7.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EI7: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0F);
+
+/// Function of communication EI8, `3002:10`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication input 8.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EI8: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x10);
+
+/// Function of communication EI9, `3002:11`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication input 9.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EI9: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x11);
+
+/// Function of communication EI10, `3002:12`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication input 10.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EI10: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x12);
+
+/// Function of communication EI11, `3002:13`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication input 11.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EI11: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x13);
+
+/// Function of communication EI12, `3002:14`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication input 12.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EI12: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x14);
+
+/// Function of communication EI13, `3002:15`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication input 13.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EI13: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x15);
+
+/// Function of communication EI14, `3002:16`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication input 14.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EI14: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x16);
+
+/// Function of communication EI15, `3002:17`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication input 15.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EI15: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x17);
+
+/// Function of communication EI16, `3002:18`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication input 16.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EI16: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x18);
+
+/// Servo Parameter Group 3, `3002:19`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_25: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x19);
+
+/// Servo Parameter Group 3, `3002:1A`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_26: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x1A);
+
+/// Servo Parameter Group 3, `3002:1B`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_27: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x1B);
+
+/// Servo Parameter Group 3, `3002:1C`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_28: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x1C);
+
+/// Servo Parameter Group 3, `3002:1D`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_29: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x1D);
+
+/// Servo Parameter Group 3, `3002:1E`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_30: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x1E);
+
+/// Servo Parameter Group 3, `3002:1F`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_31: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x1F);
+
+/// Servo Parameter Group 3, `3002:20`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_32: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x20);
+
+/// Servo Parameter Group 3, `3002:21`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_33: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x21);
+
+/// Servo Parameter Group 3, `3002:22`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_34: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x22);
+
+/// Servo Parameter Group 3, `3002:23`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_35: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x23);
+
+/// Servo Parameter Group 3, `3002:24`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_36: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x24);
+
+/// Servo Parameter Group 3, `3002:25`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_37: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x25);
+
+/// Servo Parameter Group 3, `3002:26`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_38: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x26);
+
+/// Servo Parameter Group 3, `3002:27`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_39: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x27);
+
+/// Servo Parameter Group 3, `3002:28`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_40: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x28);
+
+/// Servo Parameter Group 3, `3002:29`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_41: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x29);
+
+/// Servo Parameter Group 3, `3002:2A`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_42: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x2A);
+
+/// Servo Parameter Group 3, `3002:2B`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_43: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x2B);
+
+/// Servo Parameter Group 3, `3002:2C`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_44: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x2C);
+
+/// Servo Parameter Group 3, `3002:2D`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_45: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x2D);
+
+/// Servo Parameter Group 3, `3002:2E`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_46: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x2E);
+
+/// Servo Parameter Group 3, `3002:2F`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_47: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x2F);
+
+/// Servo Parameter Group 3, `3002:30`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_48: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x30);
+
+/// Servo Parameter Group 3, `3002:31`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_49: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x31);
+
+/// Servo Parameter Group 3, `3002:32`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_50: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x32);
+
+/// Function of EOUT1, `3002:33`: INTEGER32, rw, not mapped.
+///
+/// Function number of hardware output EOUT1.
+/// Manual: 6.3.4 L1371.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; three outputs and three parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_EOUT1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x33);
+
+/// Function of EOUT2, `3002:34`: INTEGER32, rw, not mapped.
+///
+/// Function number of hardware output EOUT2.
+/// Manual: 6.3.4 L1371.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; three outputs and three parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_EOUT2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x34);
+
+/// Function of EOUT3, `3002:35`: INTEGER32, rw, not mapped.
+///
+/// Function number of hardware output EOUT3.
+/// Manual: 6.3.4 L1371.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; three outputs and three parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_EOUT3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x35);
+
+/// Servo Parameter Group 3, `3002:36`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_54: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x36);
+
+/// Servo Parameter Group 3, `3002:37`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_55: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x37);
+
+/// Function of communication EOUT1, `3002:38`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication output 1.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EOUT1: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x38);
+
+/// Function of communication EOUT2, `3002:39`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication output 2.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EOUT2: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x39);
+
+/// Function of communication EOUT3, `3002:3A`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication output 3.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EOUT3: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x3A);
+
+/// Function of communication EOUT4, `3002:3B`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication output 4.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EOUT4: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x3B);
+
+/// Function of communication EOUT5, `3002:3C`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication output 5.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EOUT5: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x3C);
+
+/// Function of communication EOUT6, `3002:3D`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication output 6.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EOUT6: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x3D);
+
+/// Function of communication EOUT7, `3002:3E`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication output 7.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EOUT7: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x3E);
+
+/// Function of communication EOUT8, `3002:3F`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication output 8.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EOUT8: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x3F);
+
+/// Function of communication EOUT9, `3002:40`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication output 9.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EOUT9: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x40);
+
+/// Function of communication EOUT10, `3002:41`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication output 10.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EOUT10: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x41);
+
+/// Function of communication EOUT11, `3002:42`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication output 11.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EOUT11: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x42);
+
+/// Function of communication EOUT12, `3002:43`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication output 12.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EOUT12: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x43);
+
+/// Function of communication EOUT13, `3002:44`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication output 13.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EOUT13: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x44);
+
+/// Function of communication EOUT14, `3002:45`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication output 14.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EOUT14: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x45);
+
+/// Function of communication EOUT15, `3002:46`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication output 15.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EOUT15: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x46);
+
+/// Function of communication EOUT16, `3002:47`: INTEGER32, rw, not mapped.
+///
+/// Function number of communication output 16.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+/// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
+#[doc(alias = "3002")]
+pub const FUNCTION_OF_COMMUNICATION_EOUT16: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x47);
+
+/// Servo Parameter Group 3, `3002:48`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_72: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x48);
+
+/// Servo Parameter Group 3, `3002:49`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_73: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x49);
+
+/// Servo Parameter Group 3, `3002:4A`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_74: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x4A);
+
+/// Servo Parameter Group 3, `3002:4B`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_75: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x4B);
+
+/// Servo Parameter Group 3, `3002:4C`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_76: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x4C);
+
+/// Servo Parameter Group 3, `3002:4D`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_77: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x4D);
+
+/// Servo Parameter Group 3, `3002:4E`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_78: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x4E);
+
+/// Servo Parameter Group 3, `3002:4F`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_79: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x4F);
+
+/// Servo Parameter Group 3, `3002:50`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_80: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x50);
+
+/// Servo Parameter Group 3, `3002:51`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_81: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x51);
+
+/// Servo Parameter Group 3, `3002:52`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_82: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x52);
+
+/// Servo Parameter Group 3, `3002:53`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_83: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x53);
+
+/// Servo Parameter Group 3, `3002:54`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_84: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x54);
+
+/// Servo Parameter Group 3, `3002:55`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_85: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x55);
+
+/// Servo Parameter Group 3, `3002:56`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_86: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x56);
+
+/// Servo Parameter Group 3, `3002:57`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_87: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x57);
+
+/// Servo Parameter Group 3, `3002:58`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_88: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x58);
+
+/// Feedback speed sampling time, `3002:59`: INTEGER32, rw, not mapped.
+///
+/// Sampling time of the speed that 606Ch reports.
+/// Only 0, 1, 2, 3, 4, 5, 6, 7; default 1.
+/// Manual: 2.4 L143.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const FEEDBACK_SPEED_SAMPLING_TIME: Object<enums::SpeedSamplingTime, Rw, Unmapped, Raw> =
+    Object::new(0x3002, 0x59).allow(&[0, 1, 2, 3, 4, 5, 6, 7]);
+
+/// Servo Parameter Group 3, `3002:5A`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_90: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x5A);
+
+/// Servo Parameter Group 3, `3002:5B`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_91: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x5B);
+
+/// Servo Parameter Group 3, `3002:5C`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_92: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x5C);
+
+/// Servo Parameter Group 3, `3002:5D`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_93: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x5D);
+
+/// Servo Parameter Group 3, `3002:5E`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_94: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x5E);
+
+/// Servo Parameter Group 3, `3002:5F`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_95: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x5F);
+
+/// Servo Parameter Group 3, `3002:60`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_96: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x60);
+
+/// Servo Parameter Group 3, `3002:61`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_97: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x61);
+
+/// Servo Parameter Group 3, `3002:62`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_98: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x62);
+
+/// Servo Parameter Group 3, `3002:63`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 3.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1275.
+#[doc(alias = "3002")]
+pub const SERVO_PARAMETER_GROUP_3_99: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x63);
+
+// 3003h Number of Servo Para Group4
+
+/// Number of Servo Para Group4, `3003:00`: UNSIGNED8, ro, not mapped.
+///
+/// Default 99.
+/// Manual: 6.3 T6-3 L1276.
+#[doc(alias = "3003")]
+pub const NUMBER_OF_SERVO_PARA_GROUP4: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3003, 0x00);
+
+/// ECAT node ID, `3003:01`: INTEGER32, rw, not mapped.
+///
+/// Node address, used when P4.02 is 1.
+/// 1 to 65535; default 1.
+/// Manual: 2.4 L146 L154, 3.7 L287.
+/// Manual, the type: 6.3 T6-3 L1277.
+/// Manual, the access: 6.3 T6-3 L1277.
+/// Manual, the mapping: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const ECAT_NODE_ID: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x01).range(1, 65_535);
+
+/// ECAT node ID setting, `3003:02`: INTEGER32, rw, not mapped.
+///
+/// Where the node address comes from.
+/// Only 0, 1; default 0.
+/// Manual: 2.4 L147 L154, 3.7 L286 L287.
+/// Manual, the type: 6.3 T6-3 L1277.
+/// Manual, the access: 6.3 T6-3 L1277.
+/// Manual, the mapping: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const ECAT_NODE_ID_SETTING: Object<enums::NodeIdSetting, Rw, Unmapped, Raw> =
+    Object::new(0x3003, 0x02).allow(&[0, 1]);
+
+/// Data synchronization Detection setting, `3003:03`: INTEGER32, rw, not mapped.
+///
+/// 0: off. 1 to 99: an alarm when data is lost so many times in a row. For the cyclic synchronous modes.
+/// 0 to 99; default 0.
+/// Manual: 2.4 L148 L154.
+/// Manual, the type: 6.3 T6-3 L1277.
+/// Manual, the access: 6.3 T6-3 L1277.
+/// Manual, the mapping: 6.3 T6-3 L1277.
+///
+/// Erratum E110, text: printed "0: off. 1 to 99: an alarm when data is lost so many times in a row. For the cyclic synchronous modes.", kept. The row calls the alarm a data loss alarm, a name that table 5-1 does not have; cSD names this parameter among its remedies. Kept.
+#[doc(alias = "3003")]
+pub const DATA_SYNCHRONIZATION_DETECTION_SETTING: Object<enums::DataSynchronizationDetection, Rw, Unmapped, Raw> =
+    Object::new(0x3003, 0x03).range(0, 99);
+
+/// Data Loss Processing Settings, `3003:04`: INTEGER32, rw, not mapped.
+///
+/// What happens in cyclic synchronous position mode when a position is missing.
+/// Only 0, 1; default 1.
+/// Manual: 2.4 L149 L154.
+/// Manual, the type: 6.3 T6-3 L1277.
+/// Manual, the access: 6.3 T6-3 L1277.
+/// Manual, the mapping: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const DATA_LOSS_PROCESSING_SETTINGS: Object<enums::DataLossProcessing, Rw, Unmapped, Raw> =
+    Object::new(0x3003, 0x04).allow(&[0, 1]);
+
+/// Servo Parameter Group 4, `3003:05`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_5: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x05);
+
+/// Servo Parameter Group 4, `3003:06`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_6: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x06);
+
+/// Servo Parameter Group 4, `3003:07`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_7: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x07);
+
+/// Servo Parameter Group 4, `3003:08`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_8: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x08);
+
+/// Input shift time setting, `3003:09`: INTEGER32, rw, not mapped.
+///
+/// Shift of the time at which inputs are latched: 26000 + value \* 62500.
+/// 0 to 160; default 0.
+/// Note: 3.5.1 prints another formula and that it takes effect after power-on: see E107 and E108.
+/// Manual: 2.4 L150, 3.5.1 L255.
+/// Manual, the type: 6.3 T6-3 L1277.
+/// Manual, the access: 6.3 T6-3 L1277.
+/// Manual, the mapping: 6.3 T6-3 L1277.
+///
+/// Erratum E107, text: printed "Shift of the time at which inputs are latched: 26000 + value \* 62500.", kept. 3.5.1 has no 26000 and wants multiples of 62500 in 1C33:03, which the sum never is; without it the highest value, 160, is exactly the longest cycle of 10 ms. Kept; read 1C33:03 after power-on.
+///
+/// Erratum E108, effect: printed "power cycle", kept. In 2.4 the parameter has no mark of those that wait for power-on. 3.5.1 says so in words. Kept.
+#[doc(alias = "3003")]
+pub const INPUT_SHIFT_TIME_SETTING: Object<i32, Rw, Unmapped, Raw> =
+    Object::new(0x3003, 0x09).range(0, 160);
+
+/// Servo Parameter Group 4, `3003:0A`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_10: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0A);
+
+/// Servo Parameter Group 4, `3003:0B`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_11: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0B);
+
+/// Servo Parameter Group 4, `3003:0C`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_12: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0C);
+
+/// Servo Parameter Group 4, `3003:0D`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_13: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0D);
+
+/// Servo Parameter Group 4, `3003:0E`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_14: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0E);
+
+/// Speed command format, `3003:0F`: INTEGER32, rw, not mapped.
+///
+/// Format of the values that concern commanded speed.
+/// Only 0, 1; default 0.
+/// Manual: 2.4 L151.
+/// Manual, the type: 6.3 T6-3 L1277.
+/// Manual, the access: 6.3 T6-3 L1277.
+/// Manual, the mapping: 6.3 T6-3 L1277.
+///
+/// Erratum E111, values: printed "speed command format", kept. It is said to concern commands; the tables mark actual values (606B, 606C) as switchable too. Which of several parameters the note means is not printed. Kept.
+#[doc(alias = "3003")]
+pub const SPEED_COMMAND_FORMAT: Object<enums::SpeedCommandFormat, Rw, Unmapped, Raw> =
+    Object::new(0x3003, 0x0F).allow(&[0, 1]);
+
+/// Servo Parameter Group 4, `3003:10`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_16: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x10);
+
+/// Object monitoring, `3003:11`: INTEGER32, rw, not mapped.
+///
+/// The object that panel page dp-12 shows: index in the upper 4 hexadecimal digits, sub-index in the lower 2.
+/// Default 6308096 (00604100h).
+/// Note: The default has 4 digits of index and 2 digits of sub-index: see E109.
+/// Manual: 2.4 L152.
+/// Manual, the type: 6.3 T6-3 L1277.
+/// Manual, the access: 6.3 T6-3 L1277.
+/// Manual, the mapping: 6.3 T6-3 L1277.
+///
+/// Erratum E109, text: printed "The object that panel page dp-12 shows: index in the upper 4 bytes, sub-index in the lower 2 bytes.", used "The object that panel page dp-12 shows: index in the upper 4 hexadecimal digits, sub-index in the lower 2.". Digits, not bytes: the default 604100h is 6041h and 00h, an index has 2 bytes, and every parameter has 4 bytes in all.
+#[doc(alias = "3003")]
+pub const OBJECT_MONITORING: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x11);
+
+/// Servo Parameter Group 4, `3003:12`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_18: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x12);
+
+/// Servo Parameter Group 4, `3003:13`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_19: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x13);
+
+/// Servo Parameter Group 4, `3003:14`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_20: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x14);
+
+/// Servo Parameter Group 4, `3003:15`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_21: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x15);
+
+/// Servo Parameter Group 4, `3003:16`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_22: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x16);
+
+/// Servo Parameter Group 4, `3003:17`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_23: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x17);
+
+/// Servo Parameter Group 4, `3003:18`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_24: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x18);
+
+/// Servo Parameter Group 4, `3003:19`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_25: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x19);
+
+/// Servo Parameter Group 4, `3003:1A`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_26: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x1A);
+
+/// Servo Parameter Group 4, `3003:1B`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_27: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x1B);
+
+/// Servo Parameter Group 4, `3003:1C`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_28: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x1C);
+
+/// Servo Parameter Group 4, `3003:1D`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_29: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x1D);
+
+/// Servo Parameter Group 4, `3003:1E`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_30: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x1E);
+
+/// Servo Parameter Group 4, `3003:1F`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_31: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x1F);
+
+/// Servo Parameter Group 4, `3003:20`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_32: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x20);
+
+/// Servo Parameter Group 4, `3003:21`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_33: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x21);
+
+/// Servo Parameter Group 4, `3003:22`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_34: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x22);
+
+/// Servo Parameter Group 4, `3003:23`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_35: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x23);
+
+/// Servo Parameter Group 4, `3003:24`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_36: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x24);
+
+/// Servo Parameter Group 4, `3003:25`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_37: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x25);
+
+/// Servo Parameter Group 4, `3003:26`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_38: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x26);
+
+/// Servo Parameter Group 4, `3003:27`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_39: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x27);
+
+/// Servo Parameter Group 4, `3003:28`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_40: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x28);
+
+/// Servo Parameter Group 4, `3003:29`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_41: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x29);
+
+/// Servo Parameter Group 4, `3003:2A`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_42: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x2A);
+
+/// Servo Parameter Group 4, `3003:2B`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_43: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x2B);
+
+/// Servo Parameter Group 4, `3003:2C`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_44: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x2C);
+
+/// Servo Parameter Group 4, `3003:2D`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_45: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x2D);
+
+/// Servo Parameter Group 4, `3003:2E`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_46: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x2E);
+
+/// Servo Parameter Group 4, `3003:2F`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_47: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x2F);
+
+/// Servo Parameter Group 4, `3003:30`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_48: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x30);
+
+/// Servo Parameter Group 4, `3003:31`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_49: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x31);
+
+/// Servo Parameter Group 4, `3003:32`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_50: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x32);
+
+/// Servo Parameter Group 4, `3003:33`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_51: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x33);
+
+/// Servo Parameter Group 4, `3003:34`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_52: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x34);
+
+/// Servo Parameter Group 4, `3003:35`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_53: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x35);
+
+/// Servo Parameter Group 4, `3003:36`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_54: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x36);
+
+/// Servo Parameter Group 4, `3003:37`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_55: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x37);
+
+/// Servo Parameter Group 4, `3003:38`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_56: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x38);
+
+/// Servo Parameter Group 4, `3003:39`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_57: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x39);
+
+/// Servo Parameter Group 4, `3003:3A`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_58: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x3A);
+
+/// Servo Parameter Group 4, `3003:3B`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_59: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x3B);
+
+/// Servo Parameter Group 4, `3003:3C`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_60: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x3C);
+
+/// Servo Parameter Group 4, `3003:3D`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_61: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x3D);
+
+/// Servo Parameter Group 4, `3003:3E`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_62: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x3E);
+
+/// Servo Parameter Group 4, `3003:3F`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_63: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x3F);
+
+/// Servo Parameter Group 4, `3003:40`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_64: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x40);
+
+/// Servo Parameter Group 4, `3003:41`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_65: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x41);
+
+/// Servo Parameter Group 4, `3003:42`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_66: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x42);
+
+/// Servo Parameter Group 4, `3003:43`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_67: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x43);
+
+/// Servo Parameter Group 4, `3003:44`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_68: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x44);
+
+/// Servo Parameter Group 4, `3003:45`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_69: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x45);
+
+/// Servo Parameter Group 4, `3003:46`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_70: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x46);
+
+/// Servo Parameter Group 4, `3003:47`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_71: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x47);
+
+/// Servo Parameter Group 4, `3003:48`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_72: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x48);
+
+/// Servo Parameter Group 4, `3003:49`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_73: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x49);
+
+/// Servo Parameter Group 4, `3003:4A`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_74: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x4A);
+
+/// Servo Parameter Group 4, `3003:4B`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_75: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x4B);
+
+/// Servo Parameter Group 4, `3003:4C`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_76: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x4C);
+
+/// Servo Parameter Group 4, `3003:4D`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_77: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x4D);
+
+/// Servo Parameter Group 4, `3003:4E`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_78: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x4E);
+
+/// Servo Parameter Group 4, `3003:4F`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_79: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x4F);
+
+/// Servo Parameter Group 4, `3003:50`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_80: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x50);
+
+/// Servo Parameter Group 4, `3003:51`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_81: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x51);
+
+/// Servo Parameter Group 4, `3003:52`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_82: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x52);
+
+/// Servo Parameter Group 4, `3003:53`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_83: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x53);
+
+/// Servo Parameter Group 4, `3003:54`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_84: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x54);
+
+/// Servo Parameter Group 4, `3003:55`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_85: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x55);
+
+/// Servo Parameter Group 4, `3003:56`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_86: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x56);
+
+/// Servo Parameter Group 4, `3003:57`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_87: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x57);
+
+/// Servo Parameter Group 4, `3003:58`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_88: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x58);
+
+/// Servo Parameter Group 4, `3003:59`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_89: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x59);
+
+/// Servo Parameter Group 4, `3003:5A`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_90: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x5A);
+
+/// Servo Parameter Group 4, `3003:5B`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_91: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x5B);
+
+/// Servo Parameter Group 4, `3003:5C`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_92: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x5C);
+
+/// Servo Parameter Group 4, `3003:5D`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_93: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x5D);
+
+/// Servo Parameter Group 4, `3003:5E`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_94: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x5E);
+
+/// Servo Parameter Group 4, `3003:5F`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_95: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x5F);
+
+/// Servo Parameter Group 4, `3003:60`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_96: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x60);
+
+/// Servo Parameter Group 4, `3003:61`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_97: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x61);
+
+/// Servo Parameter Group 4, `3003:62`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_98: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x62);
+
+/// Servo Parameter Group 4, `3003:63`: INTEGER32, rw, not mapped.
+///
+/// As for 3000h, of parameter group 4.
+/// Note: Range and default are those of the parameter, in the drive manual.
+/// Manual: 6.3 T6-3 L1277.
+#[doc(alias = "3003")]
+pub const SERVO_PARAMETER_GROUP_4_99: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x63);
+
+// 3100h Number of Monitor Data
+
+/// Number of Monitor Data, `3100:00`: UNSIGNED8, ro, not mapped.
+///
+/// Default 18.
+/// Manual: 6.3 T6-3 L1278.
+#[doc(alias = "3100")]
+pub const NUMBER_OF_MONITOR_DATA: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3100, 0x00);
+
+/// Feedback Speed, `3100:01`: INTEGER32, ro, not mapped.
+///
+/// In rpm.
+/// Manual: 6.3 T6-3 L1279.
+#[doc(alias = "3100")]
+pub const FEEDBACK_SPEED: Object<i32, Ro, Unmapped, Velocity> = Object::new(0x3100, 0x01);
+
+/// Command Speed, `3100:02`: INTEGER32, ro, not mapped.
+///
+/// In rpm.
+/// Manual: 6.3 T6-3 L1280.
+#[doc(alias = "3100")]
+pub const COMMAND_SPEED: Object<i32, Ro, Unmapped, Velocity> = Object::new(0x3100, 0x02);
+
+/// Command Torque, `3100:03`: INTEGER32, ro, not mapped.
+///
+/// Note: The unit is printed as 0.01, without saying of what. 3201 has 1 % for this quantity (L1308).
+/// Manual: 6.3 T6-3 L1281.
+#[doc(alias = "3100")]
+pub const COMMAND_TORQUE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100, 0x03);
+
+/// Peak Torque, `3100:04`: INTEGER32, ro, not mapped.
+///
+/// Note: The unit is printed as 0.01, without saying of what.
+/// Manual: 2.4 L142.
+/// Manual, the type: 6.3 T6-3 L1282.
+/// Manual, the access: 6.3 T6-3 L1282.
+/// Manual, the mapping: 6.3 T6-3 L1282.
+///
+/// Erratum E040, name: printed "Peak Toque", used "Peak Torque". A letter is lost.
+///
+/// Erratum E046, name: printed "Peak Toque", kept. Up to 16, P2.77 numbers what the panel shows as 3100h does, except that 4 is the motor current and 5 the peak torque. Kept; compare the two at the panel.
+#[doc(alias = "3100")]
+pub const PEAK_TORQUE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100, 0x04);
+
+/// Motor Current, `3100:05`: INTEGER32, ro, not mapped.
+///
+/// In 0.1 A.
+/// Manual: 6.3 T6-3 L1283.
+///
+/// Erratum E047, name: printed "Motor Current", kept. As for E046.
+#[doc(alias = "3100")]
+pub const MOTOR_CURRENT: Object<i32, Ro, Unmapped, Current> =
+    Object::new(0x3100, 0x05).scale(1, 10);
+
+/// Effective Torque, `3100:06`: INTEGER32, ro, not mapped.
+///
+/// Note: The unit is printed as 0.01, without saying of what. 3201 has 1 % for this quantity (L1310).
+/// Manual: 6.3 T6-3 L1284.
+#[doc(alias = "3100")]
+pub const EFFECTIVE_TORQUE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100, 0x06);
+
+/// Feedback Position, `3100:07`: INTEGER32, ro, not mapped.
+///
+/// In user position.
+/// Manual: 2.4 L142.
+/// Manual, the type: 6.3 T6-3 L1285.
+/// Manual, the access: 6.3 T6-3 L1285.
+/// Manual, the mapping: 6.3 T6-3 L1285.
+/// Manual, the unit: 6.3 T6-3 L1285.
+///
+/// Erratum E043, name: printed "Feedback Postion", used "Feedback Position". A letter is lost.
+#[doc(alias = "3100")]
+pub const FEEDBACK_POSITION: Object<i32, Ro, Unmapped, UserPosition> = Object::new(0x3100, 0x07);
+
+/// Command Position, `3100:08`: INTEGER32, ro, not mapped.
+///
+/// In user position.
+/// Manual: 2.4 L142, 6.3 T6-3 L1313.
+/// Manual, the type: 6.3 T6-3 L1286.
+/// Manual, the access: 6.3 T6-3 L1286.
+/// Manual, the mapping: 6.3 T6-3 L1286.
+/// Manual, the unit: 6.3 T6-3 L1286.
+///
+/// Erratum E044, name: printed "Command Postion", used "Command Position". A letter is lost.
+#[doc(alias = "3100")]
+pub const COMMAND_POSITION: Object<i32, Ro, Unmapped, UserPosition> = Object::new(0x3100, 0x08);
+
+/// Position Deviation, `3100:09`: INTEGER32, ro, not mapped.
+///
+/// Note: No unit is printed; both positions that it is the difference of have user units (L1285, L1286).
+/// Manual: 2.4 L142.
+/// Manual, the type: 6.3 T6-3 L1287.
+/// Manual, the access: 6.3 T6-3 L1287.
+/// Manual, the mapping: 6.3 T6-3 L1287.
+///
+/// Erratum E045, name: printed "Postion Deviation", used "Position Deviation". A letter is lost.
+#[doc(alias = "3100")]
+pub const POSITION_DEVIATION: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100, 0x09);
+
+/// Command Pulse Frequency, `3100:0A`: INTEGER32, ro, not mapped.
+///
+/// In 0.1 kHz.
+/// Manual: 6.3 T6-3 L1288.
+///
+/// Erratum E048, name: printed "Command Pulse Frequency", kept. The connector has no pulse input, and P2.77 skips this number: likely left from another drive of the series. Kept.
+#[doc(alias = "3100")]
+pub const COMMAND_PULSE_FREQUENCY: Object<i32, Ro, Unmapped, Frequency> =
+    Object::new(0x3100, 0x0A).scale(100, 1);
+
+/// Feedback Cumulative Pulse, `3100:0B`: INTEGER32, ro, not mapped.
+///
+/// In count.
+/// Manual: 6.3 T6-3 L1289.
+#[doc(alias = "3100")]
+pub const FEEDBACK_CUMULATIVE_PULSE: Object<i32, Ro, Unmapped, Counts> = Object::new(0x3100, 0x0B);
+
+/// Cumulative Input Pulse, `3100:0C`: INTEGER32, ro, not mapped.
+///
+/// In count.
+/// Manual: 6.3 T6-3 L1290.
+///
+/// Erratum E049, name: printed "Cumulative Input Pulse", kept. As for E048.
+#[doc(alias = "3100")]
+pub const CUMULATIVE_INPUT_PULSE: Object<i32, Ro, Unmapped, Counts> = Object::new(0x3100, 0x0C);
+
+/// LS-Z Pulse, `3100:0D`: INTEGER32, ro, not mapped.
+///
+/// In count.
+/// Manual: 6.3 T6-3 L1291.
+#[doc(alias = "3100")]
+pub const LS_Z_PULSE: Object<i32, Ro, Unmapped, Counts> = Object::new(0x3100, 0x0D);
+
+/// Load Inertia Ratio, `3100:0E`: INTEGER32, ro, not mapped.
+///
+/// Note: The cell of the unit is empty.
+/// Manual: 6.3 T6-3 L1292.
+#[doc(alias = "3100")]
+pub const LOAD_INERTIA_RATIO: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100, 0x0E);
+
+/// DC Link Voltage(max.), `3100:0F`: INTEGER32, ro, not mapped.
+///
+/// In V.
+/// Manual: 6.3 T6-3 L1293.
+#[doc(alias = "3100")]
+pub const DC_LINK_VOLTAGE_MAX: Object<i32, Ro, Unmapped, Voltage> = Object::new(0x3100, 0x0F);
+
+/// DC Link Voltage(min.), `3100:10`: INTEGER32, ro, not mapped.
+///
+/// In V.
+/// Manual: 6.3 T6-3 L1294.
+#[doc(alias = "3100")]
+pub const DC_LINK_VOLTAGE_MIN: Object<i32, Ro, Unmapped, Voltage> = Object::new(0x3100, 0x10);
+
+/// VREF Input Voltage, `3100:11`: INTEGER32, ro, not mapped.
+///
+/// In 0.01 V.
+/// Manual: 6.3 T6-3 L1295.
+///
+/// Erratum E050, name: printed "VREF Input Voltage", kept. As for E048: the connector has no analog input.
+#[doc(alias = "3100")]
+pub const VREF_INPUT_VOLTAGE: Object<i32, Ro, Unmapped, Voltage> =
+    Object::new(0x3100, 0x11).scale(1, 100);
+
+/// TREF Input Voltage, `3100:12`: INTEGER32, ro, not mapped.
+///
+/// In 0.01 V.
+/// Note: The row is shifted by one cell in the text extract: see E041.
+/// Manual: 6.3 T6-3 L1296.
+///
+/// Erratum E041, unit: printed "0.01 V", kept. The cells of the row are shifted by one to the left in the text extract: the sub-index stands under the index and 0.01V under the name. Read like the row above it.
+///
+/// Erratum E051, name: printed "TREF Input Voltage", kept. As for E050.
+#[doc(alias = "3100")]
+pub const TREF_INPUT_VOLTAGE: Object<i32, Ro, Unmapped, Voltage> =
+    Object::new(0x3100, 0x12).scale(1, 100);
+
+/// Alarm Record Select, `3200:00`: UNSIGNED8, rw, not mapped.
+///
+/// Which of the 20 kept alarms 3201h shows.
+/// 1 to 20; default 1.
+/// Manual: 6.3 T6-3 L1297, 6.3.3 L1355.
+#[doc(alias = "3200")]
+pub const ALARM_RECORD_SELECT: Object<u8, Rw, Unmapped, Raw> =
+    Object::new(0x3200, 0x00).range(1, 20);
+
+// 3201h Number of Alarm Record
+
+/// Number of Alarm Record, `3201:00`: UNSIGNED8, ro, not mapped.
+///
+/// 14 to 14; default 14.
+/// Manual: 6.3 T6-3 L1300.
+#[doc(alias = "3201")]
+pub const NUMBER_OF_ALARM_RECORD: Object<u8, Ro, Unmapped, Raw> =
+    Object::new(0x3201, 0x00).range(14, 14);
+
+/// Alarm Code, `3201:01`: INTEGER32, ro, not mapped.
+///
+/// Default 0.
+/// Manual: 6.3 T6-3 L1301.
+///
+/// Erratum E056, type: printed "i32", kept. 3202 has alarm codes of 8 bits. Table 5-1 has codes of 16 bits and numbers of 8; which of them this is, is not said. Kept.
+#[doc(alias = "3201")]
+pub const ALARM_CODE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x01);
+
+/// Total Time Main Power Supply, `3201:02`: INTEGER32, ro, not mapped.
+///
+/// In h; default 0.
+/// Manual: 6.3 T6-3 L1302.
+#[doc(alias = "3201")]
+pub const TOTAL_TIME_MAIN_POWER_SUPPLY: Object<i32, Ro, Unmapped, Time> =
+    Object::new(0x3201, 0x02).scale(3600, 1);
+
+/// Reserve, `3201:03`: INTEGER32, ro, not mapped.
+///
+/// Default 0.
+/// Manual: 6.3 T6-3 L1303.
+#[doc(alias = "3201")]
+pub const RESERVE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x03);
+
+/// Motor Running Time, `3201:04`: INTEGER32, ro, not mapped.
+///
+/// Below 32768: seconds. Above 32768: the value less 32768, in hours. What 32768 itself means is not said.
+/// Default 0.
+/// Note: No unit is printed in the table.
+/// Manual: 6.3 T6-3 L1304, 6.3.3 L1357 L1359 L1361.
+///
+/// Erratum E052, name: printed "Motor Running Time", kept. The note of 6.3.3 calls it the power-on time of the motor. Running and powered are not the same. Kept.
+#[doc(alias = "3201")]
+pub const MOTOR_RUNNING_TIME: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x04);
+
+/// Feedback Speed, `3201:05`: INTEGER32, ro, not mapped.
+///
+/// In rpm; default 0.
+/// Manual: 6.3 T6-3 L1305.
+#[doc(alias = "3201")]
+pub const ALARM_RECORD_FEEDBACK_SPEED: Object<i32, Ro, Unmapped, Velocity> =
+    Object::new(0x3201, 0x05);
+
+/// Feedback Speed(5ms before), `3201:06`: INTEGER32, ro, not mapped.
+///
+/// In rpm; default 0.
+/// Manual: 6.3 T6-3 L1306.
+#[doc(alias = "3201")]
+pub const FEEDBACK_SPEED_5MS_BEFORE: Object<i32, Ro, Unmapped, Velocity> =
+    Object::new(0x3201, 0x06);
+
+/// Command Speed, `3201:07`: INTEGER32, ro, not mapped.
+///
+/// In rpm; default 0.
+/// Manual: 6.3 T6-3 L1307.
+#[doc(alias = "3201")]
+pub const ALARM_RECORD_COMMAND_SPEED: Object<i32, Ro, Unmapped, Velocity> =
+    Object::new(0x3201, 0x07);
+
+/// Command Torque, `3201:08`: INTEGER32, ro, not mapped.
+///
+/// In %; default 0.
+/// Note: Printed as 1 %, without saying of what.
+/// Manual: 6.3 T6-3 L1308.
+///
+/// Erratum E053, unit: printed "%", kept. 3100 has a unit of 0.01 for the same quantity, and neither says of what. Kept.
+#[doc(alias = "3201")]
+pub const ALARM_RECORD_COMMAND_TORQUE: Object<i32, Ro, Unmapped, Ratio> =
+    Object::new(0x3201, 0x08).scale(1, 100);
+
+/// Motor Current, `3201:09`: INTEGER32, ro, not mapped.
+///
+/// In %; default 0.
+/// Note: Printed as 1 %, without saying of what.
+/// Manual: 6.3 T6-3 L1309.
+///
+/// Erratum E054, unit: printed "%", kept. 3100 has the motor current in tenths of an ampere. Kept; the two are read with two units.
+#[doc(alias = "3201")]
+pub const ALARM_RECORD_MOTOR_CURRENT: Object<i32, Ro, Unmapped, Ratio> =
+    Object::new(0x3201, 0x09).scale(1, 100);
+
+/// Effective Torque, `3201:0A`: INTEGER32, ro, not mapped.
+///
+/// In %; default 0.
+/// Note: Printed as 1 %, without saying of what.
+/// Manual: 6.3 T6-3 L1310.
+///
+/// Erratum E055, unit: printed "%", kept. As for E053.
+#[doc(alias = "3201")]
+pub const ALARM_RECORD_EFFECTIVE_TORQUE: Object<i32, Ro, Unmapped, Ratio> =
+    Object::new(0x3201, 0x0A).scale(1, 100);
+
+/// DC Link Voltage, `3201:0B`: INTEGER32, ro, not mapped.
+///
+/// In V; default 0.
+/// Manual: 6.3 T6-3 L1311.
+#[doc(alias = "3201")]
+pub const DC_LINK_VOLTAGE: Object<i32, Ro, Unmapped, Voltage> = Object::new(0x3201, 0x0B);
+
+/// EC Error Count, `3201:0C`: INTEGER32, ro, not mapped.
+///
+/// Default 0.
+/// Manual: 6.3 T6-3 L1312.
+#[doc(alias = "3201")]
+pub const EC_ERROR_COUNT: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x0C);
+
+/// Command Position, `3201:0D`: INTEGER32, ro, not mapped.
+///
+/// In user position; default 0.
+/// Manual: 6.3 T6-3 L1313.
+#[doc(alias = "3201")]
+pub const ALARM_RECORD_COMMAND_POSITION: Object<i32, Ro, Unmapped, UserPosition> =
+    Object::new(0x3201, 0x0D);
+
+/// Sequence Mode, `3201:0E`: INTEGER32, ro, not mapped.
+///
+/// Default 0.
+/// Note: The row is shifted by one cell in the text extract: see E042.
+/// Manual: 6.3 T6-3 L1314.
+///
+/// Erratum E042, default: printed 0, kept. The cells of the row are shifted by one to the left in the text extract: 0 stands under the range and the default is empty. Read like the row above it.
+#[doc(alias = "3201")]
+pub const SEQUENCE_MODE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x0E);
+
+// 3202h The number of alarms that currently exist
+
+/// The number of alarms that currently exist, `3202:00`: UNSIGNED8, ro, not mapped.
+///
+/// 0 to 10; default 0.
+/// Manual: 6.3 T6-3 L1315.
+///
+/// Erratum E057, default: printed 0, kept. Sub-index 0 is the highest sub-index elsewhere, which is 10 here; this one counts the alarms that are present. Kept: name and section say so.
+#[doc(alias = "3202")]
+pub const THE_NUMBER_OF_ALARMS_THAT_CURRENTLY_EXIST: Object<u8, Ro, Unmapped, Raw> =
+    Object::new(0x3202, 0x00).range(0, 10);
+
+/// Alarm code 1, `3202:01`: UNSIGNED8, ro, not mapped.
+///
+/// Default 0.
+/// Manual: 6.3 T6-3 L1316.
+/// The name is inferred: A space is lost; the rows below have it (L1317).
+///
+/// Erratum E058, type: printed "u8", kept. Codes of table 5-1 have 16 bits and do not fit, in this and the nine rows below it; the numbers of the same table do. Kept: it must be the number.
+///
+/// Erratum E059, name: printed "Alarm code1", used "Alarm code 1". A space is lost; the rows below have it (L1317).
+#[doc(alias = "3202")]
+pub const ALARM_CODE_1: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x01);
+
+/// Alarm code 2, `3202:02`: UNSIGNED8, ro, not mapped.
+///
+/// Default 0.
+/// Manual: 6.3 T6-3 L1317.
+#[doc(alias = "3202")]
+pub const ALARM_CODE_2: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x02);
+
+/// Alarm code 3, `3202:03`: UNSIGNED8, ro, not mapped.
+///
+/// Default 0.
+/// Manual: 6.3 T6-3 L1318.
+#[doc(alias = "3202")]
+pub const ALARM_CODE_3: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x03);
+
+/// Alarm code 4, `3202:04`: UNSIGNED8, ro, not mapped.
+///
+/// Default 0.
+/// Manual: 6.3 T6-3 L1319.
+#[doc(alias = "3202")]
+pub const ALARM_CODE_4: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x04);
+
+/// Alarm code 5, `3202:05`: UNSIGNED8, ro, not mapped.
+///
+/// Default 0.
+/// Manual: 6.3 T6-3 L1320.
+#[doc(alias = "3202")]
+pub const ALARM_CODE_5: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x05);
+
+/// Alarm code 6, `3202:06`: UNSIGNED8, ro, not mapped.
+///
+/// Default 0.
+/// Manual: 6.3 T6-3 L1321.
+#[doc(alias = "3202")]
+pub const ALARM_CODE_6: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x06);
+
+/// Alarm code 7, `3202:07`: UNSIGNED8, ro, not mapped.
+///
+/// Default 0.
+/// Manual: 6.3 T6-3 L1322.
+#[doc(alias = "3202")]
+pub const ALARM_CODE_7: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x07);
+
+/// Alarm code 8, `3202:08`: UNSIGNED8, ro, not mapped.
+///
+/// Default 0.
+/// Manual: 6.3 T6-3 L1323.
+#[doc(alias = "3202")]
+pub const ALARM_CODE_8: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x08);
+
+/// Alarm code 9, `3202:09`: UNSIGNED8, ro, not mapped.
+///
+/// Default 0.
+/// Manual: 6.3 T6-3 L1324.
+#[doc(alias = "3202")]
+pub const ALARM_CODE_9: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x09);
+
+/// Alarm code 10, `3202:0A`: UNSIGNED8, ro, not mapped.
+///
+/// Default 0.
+/// Manual: 6.3 T6-3 L1325.
+#[doc(alias = "3202")]
+pub const ALARM_CODE_10: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x0A);
+
+// 4000h EI signal
+
+/// EI signal, `4000:00`: UNSIGNED8, ro, not mapped.
+///
+/// Default 2.
+/// Manual: 6.3 T6-3 L1326.
+#[doc(alias = "4000")]
+pub const EI_SIGNAL: Object<u8, Ro, Unmapped, Raw> = Object::new(0x4000, 0x00);
+
+/// Hardware EI signal, `4000:01`: UNSIGNED8, ro, TxPDO.
+///
+/// The five inputs of the drive; P3.01 to P3.05 give them their functions.
+/// 0 to 255; default 0.
+/// Manual: 6.3 T6-3 L1327, 6.3.4 L1367.
+///
+/// Erratum E060, max: printed 255, kept. The drive has five hardware inputs, so that three bits have none. Kept; the order of the bits is not printed.
+#[doc(alias = "4000")]
+pub const HARDWARE_EI_SIGNAL: Object<u8, Ro, Tx, Raw> = Object::new(0x4000, 0x01).range(0, 255);
+
+/// Communication EI signal, `4000:02`: UNSIGNED16, rw, RxPDO and TxPDO.
+///
+/// Sixteen inputs that the master sets; P3.09 to P3.24 give them their functions.
+/// 0 to 65535; default 0.
+/// Manual: 6.3 T6-3 L1328, 6.3.4 L1365 L1369.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+#[doc(alias = "4000")]
+pub const COMMUNICATION_EI_SIGNAL: Object<u16, Rw, RxTx, Raw> =
+    Object::new(0x4000, 0x02).range(0, 65_535);
+
+// 4001h EOUT signal
+
+/// EOUT signal, `4001:00`: UNSIGNED8, ro, not mapped.
+///
+/// Default 2.
+/// Manual: 6.3 T6-3 L1329.
+#[doc(alias = "4001")]
+pub const EOUT_SIGNAL: Object<u8, Ro, Unmapped, Raw> = Object::new(0x4001, 0x00);
+
+/// Hardware EOUT signal, `4001:01`: UNSIGNED8, ro, TxPDO.
+///
+/// The three outputs of the drive; P3.51 to P3.53 give them their functions.
+/// 0 to 255; default 0.
+/// Manual: 6.3 T6-3 L1330, 6.3.4 L1371.
+///
+/// Erratum E061, max: printed 255, kept. The drive has three hardware outputs, so that five bits have none. Kept; the order of the bits is not printed.
+#[doc(alias = "4001")]
+pub const HARDWARE_EOUT_SIGNAL: Object<u8, Ro, Tx, Raw> = Object::new(0x4001, 0x01).range(0, 255);
+
+/// Communication EOUT signal, `4001:02`: UNSIGNED16, ro, TxPDO.
+///
+/// Sixteen outputs that the master reads; P3.56 to P3.71 give them their functions.
+/// 0 to 65535; default 0.
+/// Manual: 6.3 T6-3 L1331, 6.3.4 L1373.
+#[doc(alias = "4001")]
+pub const COMMUNICATION_EOUT_SIGNAL: Object<u16, Ro, Tx, Raw> =
+    Object::new(0x4001, 0x02).range(0, 65_535);
+
 /// Error Code, `603F:00`: UNSIGNED16, ro, TxPDO.
 ///
 /// Code of the last error; several alarms may share one.
@@ -341,6 +4976,7 @@ pub const ERROR_CODE: Object<u16, Ro, Tx, Raw> = Object::new(0x603F, 0x00);
 /// Commands of the state machine and of the mode.
 /// Default 0.
 /// Manual: 6.2 T6-2 L1209.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "6040")]
 pub const CONTROL_WORD: Object<bits::Controlword, Rw, RxTx, Raw> = Object::new(0x6040, 0x00);
 
@@ -357,18 +4993,21 @@ pub const STATUS_WORD: Object<bits::Statusword, Ro, Tx, Raw> = Object::new(0x604
 /// Only 0, 1, 5; default 0.
 /// Note: Printed as Quick stop Option Code in 4.2.
 /// Manual: 6.2 T6-2 L1211.
+///
+/// Erratum E034, name: printed "Quickstop Option Code", kept. 4.2 has Quick stop Option Code. Kept; the two differ by a space and a capital.
 #[doc(alias = "605A")]
 pub const QUICKSTOP_OPTION_CODE: Object<enums::QuickStopOption, Rw, Unmapped, Raw> =
-    Object::new(0x605A, 0x00);
+    Object::new(0x605A, 0x00).allow(&[0, 1, 5]);
 
 /// Modes of Operation, `6060:00`: INTEGER8, rw, RxPDO and TxPDO.
 ///
 /// The mode that is asked for.
 /// Only 0, 1, 3, 4, 6, 8, 9, 10; default 0.
 /// Manual: 6.2 T6-2 L1212.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "6060")]
 pub const MODES_OF_OPERATION: Object<enums::ModeOfOperation, Rw, RxTx, Raw> =
-    Object::new(0x6060, 0x00);
+    Object::new(0x6060, 0x00).allow(&[0, 1, 3, 4, 6, 8, 9, 10]);
 
 /// Modes of Operation Display, `6061:00`: INTEGER8, ro, TxPDO.
 ///
@@ -379,6 +5018,20 @@ pub const MODES_OF_OPERATION: Object<enums::ModeOfOperation, Rw, RxTx, Raw> =
 pub const MODES_OF_OPERATION_DISPLAY: Object<enums::ModeOfOperation, Ro, Tx, Raw> =
     Object::new(0x6061, 0x00);
 
+/// Position Demand Value, `6062:00`: INTEGER32, ro, TxPDO.
+///
+/// In user position; default 0.
+/// Manual: 6.2 T6-2 L1214.
+#[doc(alias = "6062")]
+pub const POSITION_DEMAND_VALUE: Object<i32, Ro, Tx, UserPosition> = Object::new(0x6062, 0x00);
+
+/// Position Actual Pulse Value, `6063:00`: INTEGER32, ro, TxPDO.
+///
+/// In count; default 0.
+/// Manual: 6.2 T6-2 L1215.
+#[doc(alias = "6063")]
+pub const POSITION_ACTUAL_PULSE_VALUE: Object<i32, Ro, Tx, Counts> = Object::new(0x6063, 0x00);
+
 /// Position Actual Value, `6064:00`: INTEGER32, ro, TxPDO.
 ///
 /// In user position; default 0.
@@ -386,25 +5039,106 @@ pub const MODES_OF_OPERATION_DISPLAY: Object<enums::ModeOfOperation, Ro, Tx, Raw
 #[doc(alias = "6064")]
 pub const POSITION_ACTUAL_VALUE: Object<i32, Ro, Tx, UserPosition> = Object::new(0x6064, 0x00);
 
+/// Maximal Following Error, `6065:00`: UNSIGNED32, rw, RxPDO and TxPDO.
+///
+/// 100 to 104857600; default 1966080 (001E0000h).
+/// Note: The text extract splits the upper limit into 10485760 and 0. 4.2 and 4.3 print another unit, range and default: see E025 to E028 before you set it.
+/// Manual: 6.2 T6-2 L1217.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+///
+/// Erratum E025, unit: printed "rev", dropped. 4.2 and 4.3 have tenths of a revolution. A limit of at least 100 whole revolutions, 1966080 by default, is no following error: 1966080 is 15 times 2^17 and 104857600 is 100 times 2^20, so the numbers of 6.2 look like encoder counts. Which holds is not said. Dropped: a limit in a unit that is wrong by a factor of a million would be none; the numbers stay raw.
+///
+/// Erratum E026, min: printed 100, kept. 4.2 and 4.3 have 0.1 to 100.0 revolutions, 1 to 1000 counts of a tenth. As for E025. Kept.
+///
+/// Erratum E027, max: printed 104857600, kept. As for E026. The text extract has a space before the last 0; without it the number is 100 times 2^20, which fits the 100.0 of 4.2. Kept.
+///
+/// Erratum E028, default: printed 1966080, kept. 4.2 and 4.3 have 15: 1.5 revolutions as a count of their unit, 15.0 if the default is printed in revolutions as for E007. 1966080 is 15 times 2^17. Kept.
+#[doc(alias = "6065")]
+pub const MAXIMAL_FOLLOWING_ERROR: Object<u32, Rw, RxTx, Raw> =
+    Object::new(0x6065, 0x00).range(100, 104_857_600);
+
+/// Position Window, `6067:00`: UNSIGNED32, rw, RxPDO and TxPDO.
+///
+/// In user position; 0 to 200000; default 100.
+/// Manual: 6.2 T6-2 L1218.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+#[doc(alias = "6067")]
+pub const POSITION_WINDOW: Object<u32, Rw, RxTx, UserPosition> =
+    Object::new(0x6067, 0x00).range(0, 200_000);
+
+/// Velocity Demand Value, `606B:00`: INTEGER32, ro, TxPDO.
+///
+/// In 0.1 rpm; -60000 to 60000; default 0.
+/// Note: The range is one cell for 606B and 606C, printed in two parts (L1219, L1220); 4.5 and 4.6 print none (L628, L676). The unit can be switched by P4.15 (L151).
+/// Manual: 6.2 T6-2 L1219 L1220.
+///
+/// Erratum E035, unit: printed "0.1 rpm", kept. As for E013. Kept.
+#[doc(alias = "606B")]
+pub const VELOCITY_DEMAND_VALUE: Object<i32, Ro, Tx, Velocity> =
+    Object::new(0x606B, 0x00).range(-60_000, 60_000).scale(1, 10);
+
 /// Velocity Actual Value, `606C:00`: INTEGER32, ro, TxPDO.
 ///
 /// In 0.1 rpm; -60000 to 60000; default 0.
 /// Note: The range is one cell for 606B and 606C, printed in two parts (L1219, L1220); 4.5 and 4.6 print none (L629, L677). The unit can be switched by P4.15 (L151).
 /// Manual: 6.2 T6-2 L1219 L1220.
 ///
-/// Erratum E13, unit: printed "0.1 rpm", kept. P4.15 calls the format that it has by default r/min, the tables 0.1 r/min. Kept; which one the drive counts in should be tried at low speed.
+/// Erratum E013, unit: printed "0.1 rpm", kept. P4.15 calls the format that it has by default r/min, the tables 0.1 r/min. Kept; which one the drive counts in should be tried at low speed.
 #[doc(alias = "606C")]
 pub const VELOCITY_ACTUAL_VALUE: Object<i32, Ro, Tx, Velocity> =
     Object::new(0x606C, 0x00).range(-60_000, 60_000).scale(1, 10);
+
+/// Velocity Window, `606D:00`: UNSIGNED16, rw, RxPDO and TxPDO.
+///
+/// In rpm; 10 to 6000; default 50.
+/// Manual: 6.2 T6-2 L1221.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+///
+/// Erratum E069, unit: printed "rpm", kept. Whole r/min, where the speed that it is compared with has tenths; CiA 402 has one unit for both. Every table prints it so, and 6000 fits. Kept.
+#[doc(alias = "606D")]
+pub const VELOCITY_WINDOW: Object<u16, Rw, RxTx, Velocity> =
+    Object::new(0x606D, 0x00).range(10, 6000);
+
+/// Velocity Threshold, `606F:00`: UNSIGNED16, rw, RxPDO and TxPDO.
+///
+/// In rpm; 10 to 6000; default 50.
+/// Manual: 6.2 T6-2 L1222.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+///
+/// Erratum E070, unit: printed "rpm", kept. As for E069.
+#[doc(alias = "606F")]
+pub const VELOCITY_THRESHOLD: Object<u16, Rw, RxTx, Velocity> =
+    Object::new(0x606F, 0x00).range(10, 6000);
 
 /// Target Torque, `6071:00`: INTEGER16, rw, RxPDO and TxPDO.
 ///
 /// In 0.1 % rated torque; -3000 to 3000; default 0.
 /// Note: The range is printed in percent, the unit is one part in a thousand: 300.0 % is 3000. The steps of 4.7 and 4.8 say that the whole is rated torque.
 /// Manual: 6.2 T6-2 L1223, 4.7 L712 L722, 4.8 L750 L760.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "6071")]
 pub const TARGET_TORQUE: Object<i16, Rw, RxTx, TorqueRatio> =
     Object::new(0x6071, 0x00).range(-3000, 3000).scale(1, 1000);
+
+/// Torque Demand Value, `6074:00`: INTEGER16, ro, TxPDO.
+///
+/// In 0.1 % rated torque; -3000 to 3000; default 0.
+/// Note: The range is one cell for 6071, 6074, 6077 and 6078; 4.7 and 4.8 print it for 6074 itself.
+/// Manual: 6.2 T6-2 L1223 L1224, 4.7 L723, 4.8 L761.
+/// The unit is inferred: 1‰ is printed; that the whole is rated torque is the definition of CiA 402.
+#[doc(alias = "6074")]
+pub const TORQUE_DEMAND_VALUE: Object<i16, Ro, Tx, TorqueRatio> =
+    Object::new(0x6074, 0x00).range(-3000, 3000).scale(1, 1000);
+
+/// Torque Actual Value, `6077:00`: INTEGER16, ro, TxPDO.
+///
+/// In 0.1 % rated torque; -3000 to 3000; default 0.
+/// Note: The range is one cell for 6071, 6074, 6077 and 6078.
+/// Manual: 6.2 T6-2 L1223 L1225.
+/// The unit is inferred: 1‰ is printed; that the whole is rated torque is the definition of CiA 402.
+#[doc(alias = "6077")]
+pub const TORQUE_ACTUAL_VALUE: Object<i16, Ro, Tx, TorqueRatio> =
+    Object::new(0x6077, 0x00).range(-3000, 3000).scale(1, 1000);
 
 /// Current Actual Value, `6078:00`: INTEGER16, ro, TxPDO.
 ///
@@ -420,6 +5154,7 @@ pub const CURRENT_ACTUAL_VALUE: Object<i16, Ro, Tx, CurrentRatio> =
 ///
 /// In user position; -2147483648 to 2147483647; default 0.
 /// Manual: 6.2 T6-2 L1227.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "607A")]
 pub const TARGET_POSITION: Object<i32, Rw, RxTx, UserPosition> =
     Object::new(0x607A, 0x00).range(-2_147_483_648, 2_147_483_647);
@@ -428,6 +5163,11 @@ pub const TARGET_POSITION: Object<i32, Rw, RxTx, UserPosition> =
 ///
 /// In user position; 0 to 2000000000; default 1000.
 /// Manual: 6.2 T6-2 L1228.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+///
+/// Erratum E029, min: printed 0, kept. The object is signed, and CiA 402 lets the offset point both ways; a lost sign or a real limit would look the same. Kept.
+///
+/// Erratum E030, default: printed 1000, kept. An offset that is not 0 as delivered is unusual: it moves the zero of every homing. Both places print it. Kept.
 #[doc(alias = "607C")]
 pub const HOME_OFFSET: Object<i32, Rw, RxTx, UserPosition> =
     Object::new(0x607C, 0x00).range(0, 2_000_000_000);
@@ -448,8 +5188,9 @@ pub const SOFTWARE_POSITION_LIMIT: Object<u8, Ro, Unmapped, Raw> =
 /// Note: The text extract splits the default into -200000 and 0000.
 /// Manual: 6.2 T6-2 L1230, 4.2 L420.
 /// Manual, the minimum: 6.2 T6-2 L1230, 4.3 L484.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E01, min: printed -200000000, used -2000000000. One zero is lost in 4.2: the default of the same row is -2000000000, and both other places print ten digits.
+/// Erratum E001, min: printed -200000000, used -2000000000. One zero is lost in 4.2: the default of the same row is -2000000000, and both other places print ten digits.
 #[doc(alias = "607D")]
 pub const MIN_POSITION_LIMIT: Object<i32, Rw, RxTx, UserPosition> =
     Object::new(0x607D, 0x01).range(-2_000_000_000, 2_000_000_000);
@@ -459,31 +5200,125 @@ pub const MIN_POSITION_LIMIT: Object<i32, Rw, RxTx, UserPosition> =
 /// In user position; -2000000000 to 2000000000; default 2000000000.
 /// Note: The range is one cell for both limits. The text extract splits the default.
 /// Manual: 6.2 T6-2 L1230 L1231.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+///
+/// Erratum E118, min: printed -2000000000, kept. The range of 4.2 is one cell for both limits and has lost a zero: as for E001, which corrects the row that shows it. Kept.
 #[doc(alias = "607D")]
 pub const MAX_POSITION_LIMIT: Object<i32, Rw, RxTx, UserPosition> =
     Object::new(0x607D, 0x02).range(-2_000_000_000, 2_000_000_000);
+
+/// Maximal Profile Velocity, `607F:00`: UNSIGNED32, rw, RxPDO and TxPDO.
+///
+/// In 0.1 rpm; to 60000; default 30000.
+/// Note: The range is printed as one value, the upper limit. Range and default are printed in r/min. The unit can be switched by P4.15 (L151).
+/// Manual: 6.2 T6-2 L1234.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+///
+/// Erratum E031, max: printed 60000, kept. 4.5 prints 0.01\~6000.0. Its lower limit is a tenth of one count of the unit, which the object cannot hold; 0.1, as for 6099, is likely meant. Kept without a lower limit.
+///
+/// Erratum E036, unit: printed "0.1 rpm", kept. As for E013. Kept.
+#[doc(alias = "607F")]
+pub const MAXIMAL_PROFILE_VELOCITY: Object<u32, Rw, RxTx, Velocity> =
+    Object::new(0x607F, 0x00).range(i64::MIN, 60_000).scale(1, 10);
+
+/// Maximal Motor Speed, `6080:00`: UNSIGNED32, rw, RxPDO and TxPDO.
+///
+/// In 0.1 rpm; to 60000; default 30000.
+/// Note: The range is printed as one value, the upper limit. Range and default are printed in r/min.
+/// Manual: 6.2 T6-2 L1235.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+///
+/// Erratum E032, max: printed 60000, kept. As for E031; here 4.5 and 4.6 print 0.01\~6000.0.
+///
+/// Erratum E033, name: printed "Maximal Motor Speed", kept. 4.5 has Maximum Motor Speed. Kept, the one that four tables print.
+#[doc(alias = "6080")]
+pub const MAXIMAL_MOTOR_SPEED: Object<u32, Rw, RxTx, Velocity> =
+    Object::new(0x6080, 0x00).range(i64::MIN, 60_000).scale(1, 10);
 
 /// Profile Velocity, `6081:00`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
 /// In 0.1 rpm; 0 to 60000; default 0.
 /// Note: The unit can be switched by P4.15 (L151).
 /// Manual: 6.2 T6-2 L1236.
+/// Manual, the minimum: 6.2 T6-2 L1236, 4.2 L424.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+/// The minimum is inferred: The row is of type u32: a profile velocity has no sign. The range is the one of 60FF, which is signed.
 ///
-/// Erratum E02, min: printed -60000, used 0. The row is of type u32: a profile velocity has no sign. The range is the one of 60FF, which is signed.
+/// Erratum E002, min: printed -60000, used 0. The row is of type u32: a profile velocity has no sign. The range is the one of 60FF, which is signed.
 ///
-/// Erratum E14, unit: printed "0.1 rpm", kept. As for E13; the steps of 4.2 say 0.1 r/min as well (L397). Kept.
+/// Erratum E014, unit: printed "0.1 rpm", kept. As for E013; the steps of 4.2 say 0.1 r/min as well (L397). Kept.
 #[doc(alias = "6081")]
 pub const PROFILE_VELOCITY: Object<u32, Rw, RxTx, Velocity> =
     Object::new(0x6081, 0x00).range(0, 60_000).scale(1, 10);
+
+/// Profile Acceleration, `6083:00`: UNSIGNED32, rw, RxPDO and TxPDO.
+///
+/// Time in which the speed rises from 0 to 2000 r/min.
+/// In ms; 1 to 999999; default 100.
+/// Deviates from the standard: CiA 402 has a rate here; the drive has a time.
+/// Manual: 6.2 T6-2 L1237, 4.2 L398, 4.5 L617.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+#[doc(alias = "6083")]
+pub const PROFILE_ACCELERATION: Object<u32, Rw, RxTx, Time> =
+    Object::new(0x6083, 0x00).range(1, 999_999).scale(1, 1000);
+
+/// Profile Deceleration, `6084:00`: UNSIGNED32, rw, RxPDO and TxPDO.
+///
+/// Time in which the speed falls from 2000 r/min to 0.
+/// In ms; 1 to 999999; default 100.
+/// Deviates from the standard: CiA 402 has a rate here; the drive has a time.
+/// Manual: 6.2 T6-2 L1238, 4.2 L399, 4.5 L617.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+#[doc(alias = "6084")]
+pub const PROFILE_DECELERATION: Object<u32, Rw, RxTx, Time> =
+    Object::new(0x6084, 0x00).range(1, 999_999).scale(1, 1000);
+
+/// Motion Profile Type, `6086:00`: INTEGER16, rw, not mapped.
+///
+/// 0 to 0; default 0.
+/// Manual: 6.2 T6-2 L1239.
+#[doc(alias = "6086")]
+pub const MOTION_PROFILE_TYPE: Object<i16, Rw, Unmapped, Raw> =
+    Object::new(0x6086, 0x00).range(0, 0);
+
+// 6093h Position Factor
+
+/// Position Factor, `6093:00`: UNSIGNED8, ro, not mapped.
+///
+/// 2 to 2; default 2.
+/// Manual: 6.2 T6-2 L1240.
+///
+/// Erratum E037, name: printed "Position Factor", kept. CiA 402 had the index in an early version and has 6091h and 6092h for it today; 6502h and the rest follow the present one. Kept: the drive has what it has.
+#[doc(alias = "6093")]
+pub const POSITION_FACTOR: Object<u8, Ro, Unmapped, Raw> = Object::new(0x6093, 0x00).range(2, 2);
+
+/// Position Factor Numerator, `6093:01`: UNSIGNED32, rw, RxPDO and TxPDO.
+///
+/// 1 to 4194303; default 16.
+/// Manual: 6.2 T6-2 L1241.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+#[doc(alias = "6093")]
+pub const POSITION_FACTOR_NUMERATOR: Object<u32, Rw, RxTx, Raw> =
+    Object::new(0x6093, 0x01).range(1, 4_194_303);
+
+/// Position Factor Divisor, `6093:02`: UNSIGNED32, rw, RxPDO and TxPDO.
+///
+/// 1 to 4194303; default 1.
+/// Manual: 6.2 T6-2 L1242.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+#[doc(alias = "6093")]
+pub const POSITION_FACTOR_DIVISOR: Object<u32, Rw, RxTx, Raw> =
+    Object::new(0x6093, 0x02).range(1, 4_194_303);
 
 /// Homing Method, `6098:00`: INTEGER8, rw, RxPDO and TxPDO.
 ///
 /// 0 to 37; default 0.
 /// Manual: 6.2 T6-2 L1243.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E04, min: printed 0, kept. The steps of 4.4 allow 1 to 37. 0 is the default and means that no method is set: starting with it is an error (L552). Kept.
+/// Erratum E004, min: printed 0, kept. The steps of 4.4 allow 1 to 37. 0 is the default and means that no method is set: starting with it is an error (L552). Kept.
 ///
-/// Erratum E12, max: printed 37, kept. Methods 15, 16 and 31 to 34 lie in the range and are reserved in the table of 4.4, whose introduction counts 37 methods nevertheless. Kept; a master should not write them.
+/// Erratum E012, max: printed 37, kept. Methods 15, 16 and 31 to 34 lie in the range and are reserved in the table of 4.4, whose introduction counts 37 methods nevertheless. Kept; a master should not write them.
 #[doc(alias = "6098")]
 pub const HOMING_METHOD: Object<i8, Rw, RxTx, Raw> = Object::new(0x6098, 0x00).range(0, 37);
 
@@ -499,10 +5334,11 @@ pub const HOMING_SPEEDS: Object<u8, Ro, Unmapped, Raw> = Object::new(0x6099, 0x0
 /// Homing Speed for Switch Search, `6099:01`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
 /// In 0.1 rpm; 1 to 60000; default 500.
-/// Note: The range is printed in r/min, the default without a decimal point: see E07.
+/// Note: The range is printed in r/min, the default without a decimal point: see E007.
 /// Manual: 6.2 T6-2 L1245.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E07, default: printed 500, kept. The range is printed with a decimal point in r/min, the default without one. Read as counts of 0.1 r/min, the unit of the row: 50.0 r/min. But 607F and 6080, in the same unit, print theirs in r/min (3000.0); read that way it is 500.0 r/min, ten times as fast. Kept, the slower of the two; read it from the drive.
+/// Erratum E007, default: printed 500, kept. The range is printed with a decimal point in r/min, the default without one. Read as counts of 0.1 r/min, the unit of the row: 50.0 r/min. But 607F and 6080, in the same unit, print theirs in r/min (3000.0); read that way it is 500.0 r/min, ten times as fast. Kept, the slower of the two; read it from the drive.
 #[doc(alias = "6099")]
 pub const HOMING_SPEED_FOR_SWITCH_SEARCH: Object<u32, Rw, RxTx, Velocity> =
     Object::new(0x6099, 0x01).range(1, 60_000).scale(1, 10);
@@ -510,21 +5346,125 @@ pub const HOMING_SPEED_FOR_SWITCH_SEARCH: Object<u32, Rw, RxTx, Velocity> =
 /// Homing Speed for Zero Search, `6099:02`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
 /// In 0.1 rpm; 1 to 60000; default 50.
-/// Note: The range is printed in r/min, the default without a decimal point: see E08.
+/// Note: The range is printed in r/min, the default without a decimal point: see E008.
 /// Manual: 6.2 T6-2 L1246.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E08, default: printed 50, kept. As for E07: 5.0 r/min, or 50.0 r/min. Kept.
+/// Erratum E008, default: printed 50, kept. As for E007: 5.0 r/min, or 50.0 r/min. Kept.
 #[doc(alias = "6099")]
 pub const HOMING_SPEED_FOR_ZERO_SEARCH: Object<u32, Rw, RxTx, Velocity> =
     Object::new(0x6099, 0x02).range(1, 60_000).scale(1, 10);
+
+/// Position offset, `60B0:00`: INTEGER32, rw, RxPDO and TxPDO.
+///
+/// In user position; -2147483648 to 2147483647; default 0.
+/// Manual: 6.2 T6-2 L1247.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+#[doc(alias = "60B0")]
+pub const POSITION_OFFSET: Object<i32, Rw, RxTx, UserPosition> =
+    Object::new(0x60B0, 0x00).range(-2_147_483_648, 2_147_483_647);
+
+/// Touch Probe Function, `60B8:00`: UNSIGNED16, rw, RxPDO and TxPDO.
+///
+/// Default 0.
+/// Manual: 6.2 T6-2 L1248.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+#[doc(alias = "60B8")]
+pub const TOUCH_PROBE_FUNCTION: Object<bits::TouchProbeFunction, Rw, RxTx, Raw> =
+    Object::new(0x60B8, 0x00);
+
+/// Touch Probe Status, `60B9:00`: UNSIGNED16, ro, TxPDO.
+///
+/// Default 0.
+/// Manual: 6.2 T6-2 L1249.
+#[doc(alias = "60B9")]
+pub const TOUCH_PROBE_STATUS: Object<bits::TouchProbeStatus, Ro, Tx, Raw> =
+    Object::new(0x60B9, 0x00);
+
+/// Touch probe pos1 pos value, `60BA:00`: INTEGER32, ro, TxPDO.
+///
+/// In user position; -2147483648 to 2147483647; default 0.
+/// Manual: 6.2 T6-2 L1250.
+#[doc(alias = "60BA")]
+pub const TOUCH_PROBE_POS1_POS_VALUE: Object<i32, Ro, Tx, UserPosition> =
+    Object::new(0x60BA, 0x00).range(-2_147_483_648, 2_147_483_647);
+
+/// Touch probe pos1 neg value, `60BB:00`: INTEGER32, ro, TxPDO.
+///
+/// In user position; -2147483648 to 2147483647; default 0.
+/// Note: The range is one cell for 60BA to 60BD.
+/// Manual: 6.2 T6-2 L1250 L1251.
+#[doc(alias = "60BB")]
+pub const TOUCH_PROBE_POS1_NEG_VALUE: Object<i32, Ro, Tx, UserPosition> =
+    Object::new(0x60BB, 0x00).range(-2_147_483_648, 2_147_483_647);
+
+/// Touch probe pos2 pos value, `60BC:00`: INTEGER32, ro, TxPDO.
+///
+/// In user position; -2147483648 to 2147483647; default 0.
+/// Note: The range is one cell for 60BA to 60BD.
+/// Manual: 6.2 T6-2 L1250 L1252.
+#[doc(alias = "60BC")]
+pub const TOUCH_PROBE_POS2_POS_VALUE: Object<i32, Ro, Tx, UserPosition> =
+    Object::new(0x60BC, 0x00).range(-2_147_483_648, 2_147_483_647);
+
+/// Touch probe pos2 neg value, `60BD:00`: INTEGER32, ro, TxPDO.
+///
+/// In user position; -2147483648 to 2147483647; default 0.
+/// Note: The range is one cell for 60BA to 60BD.
+/// Manual: 6.2 T6-2 L1250 L1253.
+#[doc(alias = "60BD")]
+pub const TOUCH_PROBE_POS2_NEG_VALUE: Object<i32, Ro, Tx, UserPosition> =
+    Object::new(0x60BD, 0x00).range(-2_147_483_648, 2_147_483_647);
+
+/// Forward torque limit, `60E0:00`: UNSIGNED16, rw, RxPDO and TxPDO.
+///
+/// In 0.1 % rated torque; 0 to 4500; default 3000.
+/// Note: The range is printed in percent, the unit is one part in a thousand: 450.0 % is 4500. The default is printed without the percent sign: see E038.
+/// Manual: 6.2 T6-2 L1254.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+/// The unit is inferred: 1‰ is printed; that the whole is rated torque is the definition of CiA 402.
+///
+/// Erratum E038, default: printed 3000, kept. Printed as 300.0, the range beside it in percent with a sign. Read in percent, as the range and the decimal point suggest, it is the 300.0 % of 6071. As a count of the unit it would be 300, which is 30.0 %. Kept as 3000. The range itself goes to 450.0 %, past that of 6071.
+#[doc(alias = "60E0")]
+pub const FORWARD_TORQUE_LIMIT: Object<u16, Rw, RxTx, TorqueRatio> =
+    Object::new(0x60E0, 0x00).range(0, 4500).scale(1, 1000);
+
+/// Invert torque limit, `60E1:00`: UNSIGNED16, rw, RxPDO and TxPDO.
+///
+/// In 0.1 % rated torque; 0 to 4500; default 3000.
+/// Note: The range is printed in percent, the unit is one part in a thousand: 450.0 % is 4500. The default is printed without the percent sign: see E039.
+/// Manual: 6.2 T6-2 L1255.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+/// The unit is inferred: 1‰ is printed; that the whole is rated torque is the definition of CiA 402.
+///
+/// Erratum E039, default: printed 3000, kept. As for E038.
+#[doc(alias = "60E1")]
+pub const INVERT_TORQUE_LIMIT: Object<u16, Rw, RxTx, TorqueRatio> =
+    Object::new(0x60E1, 0x00).range(0, 4500).scale(1, 1000);
+
+/// Following Error Actual Value, `60F4:00`: INTEGER32, ro, TxPDO.
+///
+/// In user position; default 0.
+/// Manual: 6.2 T6-2 L1256.
+#[doc(alias = "60F4")]
+pub const FOLLOWING_ERROR_ACTUAL_VALUE: Object<i32, Ro, Tx, UserPosition> =
+    Object::new(0x60F4, 0x00);
+
+/// Position Demand Pulse Value, `60FC:00`: INTEGER32, ro, TxPDO.
+///
+/// In count; default 0.
+/// Manual: 6.2 T6-2 L1257.
+#[doc(alias = "60FC")]
+pub const POSITION_DEMAND_PULSE_VALUE: Object<i32, Ro, Tx, Counts> = Object::new(0x60FC, 0x00);
 
 /// Target Velocity, `60FF:00`: INTEGER32, rw, RxPDO and TxPDO.
 ///
 /// In 0.1 rpm; -60000 to 60000; default 0.
 /// Note: The unit can be switched by P4.15 (L151).
 /// Manual: 6.2 T6-2 L1258.
+/// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E15, unit: printed "0.1 rpm", kept. As for E13. Kept.
+/// Erratum E015, unit: printed "0.1 rpm", kept. As for E013. Kept.
 #[doc(alias = "60FF")]
 pub const TARGET_VELOCITY: Object<i32, Rw, RxTx, Velocity> =
     Object::new(0x60FF, 0x00).range(-60_000, 60_000).scale(1, 10);
@@ -535,7 +5475,7 @@ pub const TARGET_VELOCITY: Object<i32, Rw, RxTx, Velocity> =
 /// 109 to 109; default 109.
 /// Manual: 6.2 T6-2 L1259.
 ///
-/// Erratum E03, default: printed 109, kept. 6Dh says PP, PV, PT, HM and IP. The manual lists and describes PP, PV, PT, HM, CSP, CSV and CST, which would be 3ADh, and never IP. Kept, because a drive may well report what is printed.
+/// Erratum E003, default: printed 109, kept. 6Dh says PP, PV, PT, HM and IP. The manual lists and describes PP, PV, PT, HM, CSP, CSV and CST, which would be 3ADh, and never IP. Kept, because a drive may well report what is printed.
 #[doc(alias = "6502")]
 pub const SUPPORTED_DRIVE_MODES: Object<bits::SupportedDriveModes, Ro, Tx, Raw> =
     Object::new(0x6502, 0x00).range(109, 109);

@@ -23,6 +23,26 @@ pdo_layout! {
 }
 
 pdo_layout! {
+    /// RxPDO `1601`: 6 bytes that the drive receives.
+    pub struct Rx2: Rx, entries <= 10, bytes <= 32 {
+        /// Control Word, from byte 0. (6.1 T6-1 L1077)
+        control_word: bits::Controlword = od::CONTROL_WORD,
+        /// Target Position, from byte 2. (6.1 T6-1 L1080)
+        target_position: i32 = od::TARGET_POSITION,
+    }
+}
+
+pdo_layout! {
+    /// RxPDO `1602`: 6 bytes that the drive receives.
+    pub struct Rx3: Rx, entries <= 10, bytes <= 32 {
+        /// Control Word, from byte 0. (6.1 T6-1 L1090)
+        control_word: bits::Controlword = od::CONTROL_WORD,
+        /// Target Velocity, from byte 2. (6.1 T6-1 L1091)
+        target_velocity: i32 = od::TARGET_VELOCITY,
+    }
+}
+
+pdo_layout! {
     /// TxPDO `1A00`: 13 bytes that the drive sends.
     pub struct Tx1: Tx, entries <= 10, bytes <= 32 {
         /// Status Word, from byte 0. (6.1 T6-1 L1114)
@@ -35,5 +55,25 @@ pdo_layout! {
         current_actual_value: i16 = od::CURRENT_ACTUAL_VALUE,
         /// Modes of Operation Display, from byte 12. (6.1 T6-1 L1118)
         modes_of_operation_display: enums::ModeOfOperation = od::MODES_OF_OPERATION_DISPLAY,
+    }
+}
+
+pdo_layout! {
+    /// TxPDO `1A01`: 6 bytes that the drive sends.
+    pub struct Tx2: Tx, entries <= 10, bytes <= 32 {
+        /// Status Word, from byte 0. (6.1 T6-1 L1125)
+        status_word: bits::Statusword = od::STATUS_WORD,
+        /// Position Actual Value, from byte 2. (6.1 T6-1 L1126)
+        position_actual_value: i32 = od::POSITION_ACTUAL_VALUE,
+    }
+}
+
+pdo_layout! {
+    /// TxPDO `1A02`: 6 bytes that the drive sends.
+    pub struct Tx3: Tx, entries <= 10, bytes <= 32 {
+        /// Status Word, from byte 0. (6.1 T6-1 L1136)
+        status_word: bits::Statusword = od::STATUS_WORD,
+        /// Velocity Actual Value, from byte 2. (6.1 T6-1 L1137)
+        velocity_actual_value: i32 = od::VELOCITY_ACTUAL_VALUE,
     }
 }

@@ -1,7 +1,7 @@
 //! Doc comments: what a reader of the generated crate wants to know of an entry, with who says so.
 
 use crate::emit::escape::rust_doc;
-use crate::model::{Cite, Class, Entry, Fact, Model, Origin, Value};
+use crate::model::{Cite, Class, Entry, Erratum, ErratumId, Fact, Model, Origin, Value};
 
 /// Writes `text` as doc comment lines; an empty text is an empty line.
 pub(super) fn comment(indent: &str, lines: &[String]) -> String {
@@ -97,10 +97,14 @@ fn cited<'o>(facts: &[(&'static str, Option<&'o Origin>)]) -> Vec<String> {
     lines
 }
 
+/// Errata of its row, and those of other rows, such as one of a range, that its values come from.
 fn errata(entry: &Entry, model: &Model) -> Vec<String> {
-    let of = |e: &&crate::model::Erratum| e.address == Some(entry.address);
-    let line = |e: &crate::model::Erratum| {
-        let used = e.set.as_ref().map_or_else(|| "kept".to_owned(), |set| format!("used {}", rust_doc(set)));
+    let origins = entry.origins();
+    let concerns = |id: ErratumId, e: &Erratum| {
+        e.address == Some(entry.address) || origins.iter().any(|o| o.erratum == Some(id))
+    };
+    let line = |e: &Erratum| {
+        let used = e.outcome(rust_doc);
         format!(
             "Erratum {}, {}: printed {}, {used}. {}",
             rust_doc(&e.id),
@@ -109,7 +113,8 @@ fn errata(entry: &Entry, model: &Model) -> Vec<String> {
             rust_doc(&e.why)
         )
     };
-    let lines: Vec<String> = model.errata.as_slice().iter().filter(of).map(line).collect();
+    let lines: Vec<String> =
+        model.errata.iter().filter(|(id, e)| concerns(*id, e)).map(|(_, e)| line(e)).collect();
     // Each stands on its own.
     lines.into_iter().flat_map(|l| [String::new(), l]).collect()
 }

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::lower::Lowered;
 use super::{Module, items};
+use crate::backend::eds;
 use crate::emit::escape::{markdown, one_line};
 use crate::model::{Address, Model};
 
@@ -22,6 +23,7 @@ struct Context {
     entries: usize,
     alarms: usize,
     pdos: usize,
+    assumed: Vec<String>,
     errata: Vec<String>,
     identity: Vec<String>,
     example: Option<String>,
@@ -59,7 +61,7 @@ fn context(model: &Model) -> Context {
     let drive = &model.drive;
     let manual = |m: &crate::model::Manual| format!("{}, {}", markdown(&m.title), markdown(&m.version));
     let erratum = |e: &crate::model::Erratum| {
-        let used = e.set.as_ref().map_or_else(|| "kept".to_owned(), |s| format!("used {}", markdown(s)));
+        let used = e.outcome(markdown);
         format!(
             "**{}** {} `{}`: printed {}, {used} ({}). {}",
             markdown(&e.id),
@@ -83,6 +85,7 @@ fn context(model: &Model) -> Context {
         entries: model.entries.len(),
         alarms: model.alarms.len(),
         pdos: model.pdos.len(),
+        assumed: eds::assumptions(model).iter().map(|text| markdown(text)).collect(),
         errata: model.errata.as_slice().iter().map(erratum).collect(),
         identity: [known(1, "vendor"), known(2, "product"), known(3, "revision")]
             .into_iter()
