@@ -215,17 +215,10 @@ fn long_unknown_keys_cost_nothing() {
 
 #[test]
 fn keys_of_a_row_and_tables_of_a_file_are_bounded() {
-<<<<<<< HEAD
-    let keys = |n| each(n, |n| format!(", k{n} = 1"));
-    assert_eq!(codes(&object(&keys(20_000))), ["E0120"]);
-    assert_eq!(codes(&object(&keys(limits::KEYS - 6))), ["E0103"]);
-    let tables = |n| each(n, |n| format!("[a{n}]\n"));
-=======
     let keys = |n: usize| (0..n).map(|n| format!(", k{n} = 1")).collect::<Vec<_>>().concat();
     assert_eq!(codes(&object(&keys(20_000))), ["E0120"]);
     assert_eq!(codes(&object(&keys(limits::KEYS - 6))), ["E0103"]);
     let tables = |n: usize| (0..n).map(|n| format!("[a{n}]\n")).collect::<Vec<_>>().concat();
->>>>>>> main
     assert_eq!(codes(&tables(600_000)), ["E0119"]);
     // The drive and its manuals are two more.
     assert_eq!(codes(&tables(limits::TABLES - 2)), ["E0102"]);
@@ -257,11 +250,6 @@ fn bases_and_process_data_are_bounded() {
     }
     tables.push(']');
     assert_eq!(codes(&tables), ["E0315"]);
-}
-
-/// Many texts, one behind the other.
-fn each(count: usize, text: impl Fn(usize) -> String) -> String {
-    (0..count).map(text).collect()
 }
 
 /// A profile with one PDO of `count` entries of `bits` bits.
