@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 const EXIT_CODES: &str = "\
@@ -60,6 +60,22 @@ pub(crate) enum Command {
         /// The code, such as E0602.
         code: String,
     },
+    /// Proves the facts of a profile against the text extract of a manual.
+    #[command(after_help = "Examples:\n  drivewright audit sdv3-e --manual sdv3-e.txt\n  \
+                            drivewright audit profiles/acme/x1 --manual x1.txt --contradictions\n  \
+                            drivewright audit sdv3-e --manual sdv3-e.txt --record\n\n\
+                            The manuals are their makers' and not part of the project. Without --manual the file is\n\
+                            DRIVE.txt in the folder that DRIVEWRIGHT_MANUALS names.")]
+    Audit(AuditArguments),
+    /// Counts, for each table of a drive, how many rows have which keys.
+    #[command(after_help = "Example:\n  drivewright coverage sdv3-e")]
+    Coverage {
+        /// Ids of drives below `profiles/`, or profiles' folders; every drive when left out.
+        drives: Vec<String>,
+        /// Print the result as one JSON object.
+        #[arg(long)]
+        json: bool,
+    },
     /// Lists every code.
     Lints,
     /// Prints the JSON schema of profiles, for completion in an editor.
@@ -72,6 +88,32 @@ pub(crate) enum Command {
         /// The shell.
         shell: Shell,
     },
+}
+
+/// What `audit` is asked for.
+#[derive(Args)]
+#[allow(clippy::struct_excessive_bools, reason = "flags of a command line")]
+pub(crate) struct AuditArguments {
+    /// Id of a drive below `profiles/`, or the profile's folder.
+    pub(crate) drive: String,
+    /// The text extract.
+    #[arg(long)]
+    pub(crate) manual: Option<PathBuf>,
+    /// Id of the manual, where the profile has several.
+    #[arg(long)]
+    pub(crate) id: Option<String>,
+    /// List what is printed differently in several places.
+    #[arg(long)]
+    pub(crate) contradictions: bool,
+    /// List what is accepted without proof, too.
+    #[arg(long)]
+    pub(crate) accepted: bool,
+    /// Write the profile's `audit.toml` if nothing is left open.
+    #[arg(long)]
+    pub(crate) record: bool,
+    /// Print the result as one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 /// How findings are printed.

@@ -13,8 +13,8 @@ use drivewright_codegen::sink::{self, Difference, SinkError, State};
 use drivewright_codegen::source::SourceMap;
 use drivewright_codegen::{compile, emit, load, schema};
 
-use crate::End;
 use crate::arguments::{Arguments, Command, Format};
+use crate::{End, audit, coverage};
 
 /// Runs the command.
 pub(crate) fn run(arguments: &Arguments) -> End {
@@ -26,6 +26,8 @@ pub(crate) fn run(arguments: &Arguments) -> End {
             build(folder, out, only, if *diff { Mode::Diff } else { mode }, *format, quiet)
         }
         Command::Explain { code } => explain(code),
+        Command::Audit(asked) => audit::run(asked, quiet),
+        Command::Coverage { drives, json } => coverage::run(drives, *json),
         Command::Lints => print(&codes()),
         Command::Schema => print(&schema::profile_schema()),
         Command::Completions { shell } => {
@@ -37,14 +39,14 @@ pub(crate) fn run(arguments: &Arguments) -> End {
 }
 
 /// Prints `text`. A reader that has seen enough (`drivewright lints | head`) is no error.
-fn print(text: &str) -> End {
+pub(crate) fn print(text: &str) -> End {
     match std::io::stdout().write_all(text.as_bytes()) {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => disk(&error),
         _ => End::Fine,
     }
 }
 
-fn disk(error: &dyn std::fmt::Display) -> End {
+pub(crate) fn disk(error: &dyn std::fmt::Display) -> End {
     eprintln!("error: {error}");
     End::Disk
 }

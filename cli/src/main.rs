@@ -8,7 +8,10 @@
 )]
 
 mod arguments;
+mod audit;
 mod commands;
+mod coverage;
+mod drives;
 
 use std::process::ExitCode;
 

@@ -21,10 +21,8 @@ use crate::{compile, load};
 /// Compiles the profile in `folder`, given from the package's root, into `OUT_DIR/<vendor>_<drive>.rs`.
 ///
 /// ```no_run
-/// // build.rs
-/// fn main() {
-///     drivewright_codegen::build("profiles/acme/x1");
-/// }
+/// // The whole of `fn main` in build.rs:
+/// drivewright_codegen::build("profiles/acme/x1");
 /// ```
 ///
 /// ```ignore

@@ -2,9 +2,11 @@
 //!
 //! `load → parse → merge → resolve → check → emit → sink`, one way: see `ARCHITECTURE.md`.
 
+pub mod audit;
 pub mod backend;
 mod build;
 pub mod check;
+pub mod coverage;
 pub mod diag;
 pub mod emit;
 pub mod facts;
@@ -34,6 +36,8 @@ pub struct Compiled {
     /// The drive; `None` when the profile has no usable `drive` row. With errors in `diagnostics` it is incomplete and
     /// must not be emitted.
     pub model: Option<Model>,
+    /// The rows of the profile, errata applied: what the audit needs to know besides the model.
+    pub rows: rows::Rows,
     /// Every finding, in the order of places.
     pub diagnostics: Vec<Diagnostic>,
     /// The texts that the findings point into.
@@ -57,7 +61,7 @@ pub fn compile(profile: Vec<Source>) -> Compiled {
     if let Some(model) = &model {
         check::run(model, &profile.rows.allow, &mut sink);
     }
-    Compiled { model, diagnostics: sink.into_sorted(&sources), sources }
+    Compiled { model, rows: profile.rows, diagnostics: sink.into_sorted(&sources), sources }
 }
 
 /// The files of `model` in every format of `backends`, and what those formats cannot express.

@@ -48,6 +48,15 @@ impl Name {
             Case::Pascal => self.words.iter().map(|w| capital(w)).collect(),
         }
     }
+
+    /// The words joined in `case` as an identifier: none may start with a digit, so that an `n` goes before it.
+    pub fn to_identifier(&self, case: Case) -> String {
+        let mut text = self.to_case(case);
+        if text.starts_with(|c: char| c.is_ascii_digit()) {
+            text.insert(0, if matches!(case, Case::Snake | Case::Kebab) { 'n' } else { 'N' });
+        }
+        text
+    }
 }
 
 impl fmt::Display for Name {

@@ -282,6 +282,11 @@ macro_rules! bit_field {
             concat!("bit field `", stringify!($name), "` names a bit that its number does not have"),
         );
 
+        impl<H: $crate::constant::Holds<Value = $name>> $crate::constant::Whole<H> for $name {
+            #[allow(clippy::cast_lossless)]
+            const COUNT: i128 = H::VALUE.0 as i128;
+        }
+
         $crate::__serde!($name);
         $crate::__defmt!($name);
     };

@@ -210,6 +210,11 @@ macro_rules! wire_enum {
             }
         }
 
+        impl<H: $crate::constant::Holds<Value = $name>> $crate::constant::Whole<H> for $name {
+            #[allow(clippy::cast_lossless)]
+            const COUNT: i128 = H::VALUE.0 as i128;
+        }
+
         $crate::__serde!($name);
         $crate::__defmt!($name);
     };

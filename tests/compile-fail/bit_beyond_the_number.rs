@@ -1,5 +1,5 @@
 //! The seventeenth bit of sixteen.
-//~ error[E0080]: evaluation panicked: bit field `Statusword` names a bit that its number does not have
+//~ E0080: bit field `Statusword` names a bit that its number does not have
 use drivewright_runtime::prelude::*;
 
 bit_field! {

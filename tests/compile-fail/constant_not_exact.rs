@@ -1,5 +1,5 @@
 //! A constant between two counts.
-//~ error[E0080]: evaluation panicked: constant `SLOW` is not a whole number of counts of its object
+//~ E0080: constant `SLOW` is not a whole number of counts of its object
 use drivewright_runtime::prelude::*;
 
 const PROFILE_VELOCITY: Object<u32, Rw, RxTx, Velocity> = Object::new(0x6081, 0).range(0, 60_000).scale(7, 1);

@@ -1,6 +1,6 @@
 //! Constants that the drive would refuse.
-//~ error[E0080]: evaluation panicked: constant `RAW` is outside the range that the drive accepts
-//~ error[E0080]: evaluation panicked: constant `PHYSICAL` is outside the range that the drive accepts
+//~ E0080: constant `RAW` is outside the range that the drive accepts
+//~ E0080: constant `PHYSICAL` is outside the range that the drive accepts
 use drivewright_runtime::prelude::*;
 
 const PROFILE_VELOCITY: Object<u32, Rw, RxTx, Velocity> = Object::new(0x6081, 0).range(0, 60_000).scale(1, 10);

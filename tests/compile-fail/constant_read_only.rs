@@ -1,5 +1,5 @@
 //! A constant for an object that nobody can write.
-//~ error[E0277]: object is read-only: the drive refuses a write with abort 0601 0002
+//~ E0277: object is read-only: the drive refuses a write with abort 0601 0002
 use drivewright_runtime::prelude::*;
 
 const SPEED: Object<i32, Ro, Tx, Velocity> = Object::new(0x606C, 0);

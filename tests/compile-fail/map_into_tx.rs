@@ -1,5 +1,5 @@
 //! An object that no process data may carry, in a layout that the drive sends.
-//~ error[E0277]: object cannot be mapped into a TxPDO: the drive refuses the entry with abort 0604 0041
+//~ E0277: object cannot be mapped into a TxPDO: the drive refuses the entry with abort 0604 0041
 use drivewright_runtime::prelude::*;
 
 const SERIAL: Object<u32, Ro, Unmapped, Raw> = Object::new(0x1018, 4);

@@ -1,5 +1,5 @@
 //! A single bit in a layout of whole bytes.
-//~ error[E0080]: evaluation panicked: PDO layout `Command`: every entry must have a fixed length of whole bytes
+//~ E0080: PDO layout `Command`: every entry must have a fixed length of whole bytes
 use drivewright_runtime::prelude::*;
 
 const ENABLE: Object<bool, Rw, Rx, Raw> = Object::new(0x2000, 1);

@@ -1,5 +1,5 @@
 //! Ten bytes in a CAN frame.
-//~ error[E0080]: evaluation panicked: PDO layout `Command` is longer than the 8 bytes that the drive can map
+//~ E0080: PDO layout `Command` is longer than the 8 bytes that the drive can map
 use drivewright_runtime::prelude::*;
 
 const CONTROLWORD: Object<u16, Rw, Rx, Raw> = Object::new(0x6040, 0);

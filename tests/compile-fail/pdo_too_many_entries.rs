@@ -1,5 +1,5 @@
 //! One entry more than the drive maps.
-//~ error[E0080]: evaluation panicked: PDO layout `Command` has more entries than the 2 that the drive can map
+//~ E0080: PDO layout `Command` has more entries than the 2 that the drive can map
 use drivewright_runtime::prelude::*;
 
 const CONTROLWORD: Object<u16, Rw, Rx, Raw> = Object::new(0x6040, 0);

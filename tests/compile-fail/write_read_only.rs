@@ -1,5 +1,5 @@
 //! A write of an object that the drive only reports.
-//~ error[E0277]: object is read-only: the drive refuses a write with abort 0601 0002
+//~ E0277: object is read-only: the drive refuses a write with abort 0601 0002
 use drivewright_runtime::prelude::*;
 
 const POSITION: Object<i32, Ro, Tx, UserPosition> = Object::new(0x6064, 0);

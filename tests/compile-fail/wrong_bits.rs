@@ -1,6 +1,6 @@
 //! A bit of the other word.
-//~ error[E0308]: mismatched types
-//~ expected `Bits<Controlword, 1>`, found `Bits<Statusword, 1>`
+//~ E0308: Statusword
+//~ E0308
 use drivewright_runtime::prelude::*;
 
 bit_field! {

@@ -1,7 +1,6 @@
 //! The value of another object.
-//~ error[E0308]: mismatched types
-//~ expected `ModeOfOperation`, found `HomingMethod`
-//~ expected `ModeOfOperation`, found integer
+//~ E0308: HomingMethod
+//~ E0308
 use drivewright_runtime::prelude::*;
 
 wire_enum! {

@@ -1,7 +1,6 @@
 //! A torque for a velocity, and a user velocity scaled as an angle.
-//~ error[E0308]: mismatched types
-//~ expected `Value<Velocity>`, found `Value<TorqueRatio>`
-//~ error[E0277]: `drivewright_runtime::quantity::UserVelocity` cannot be expressed as `drivewright_runtime::quantity::Angle`
+//~ E0308: TorqueRatio
+//~ E0277: cannot be expressed as
 use drivewright_runtime::prelude::*;
 
 const SPEED: Object<i32, Rw, Rx, Velocity> = Object::new(0x60FF, 0).scale(1, 10);

@@ -1,4 +1,5 @@
-//! The Rust that golden cases give compiles without a warning, all of it as modules of one crate, and its own tests pass.
+//! The Rust that golden cases give compiles without a warning, all of it as modules of one crate, its own tests pass, and
+//! its documentation is text: no link, no code, nothing that `cargo test` would run.
 
 #![allow(clippy::expect_used, clippy::panic, clippy::disallowed_methods, reason = "a test builds a crate")]
 
@@ -51,14 +52,31 @@ fn module(case: &Case, folder: &Path, change: impl Fn(&str) -> String) {
     }
 }
 
-/// Builds the crate and runs the tests that generated code carries.
-fn check(root: &Path) -> Output {
+/// Runs `cargo` in the folder of a crate.
+fn cargo(root: &Path, arguments: &[&str]) -> Output {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
-    command.args(["test", "--quiet", "--offline", "--lib", "--target-dir"]).arg(root.join("target"));
+    command.args(arguments).args(["--quiet", "--offline", "--target-dir"]).arg(root.join("target"));
     // Flags of the surrounding build would build everything anew.
     command.current_dir(root).env_remove("RUSTFLAGS").env_remove("CARGO_ENCODED_RUSTFLAGS");
+    command.env("RUSTDOCFLAGS", "-D warnings");
     command.output().expect("cargo starts")
+}
+
+/// Builds the crate and runs the tests that generated code carries.
+fn check(root: &Path) -> Output {
+    cargo(root, &["test", "--lib"])
+}
+
+/// What the examples in the documentation do: how many there are, and whether they hold.
+fn examples(root: &Path) -> (String, bool) {
+    let output = cargo(root, &["test", "--doc"]);
+    (String::from_utf8_lossy(&output.stdout).into_owned(), output.status.success())
+}
+
+/// The cases named `name`.
+fn only(name: &str) -> Vec<Case> {
+    golden_cases().into_iter().filter(|c| c.name == name).collect()
 }
 
 #[test]
@@ -68,13 +86,27 @@ fn golden_rust_compiles_without_warnings() {
     let said = String::from_utf8_lossy(&output.stdout);
     assert!(output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
     assert!(said.contains(&format!("{} passed", golden_cases().len())), "{said}");
+    let (said, passed) = examples(&root);
+    assert!(passed && said.contains("running 0 tests"), "{said}");
+    let documented = cargo(&root, &["doc", "--no-deps"]);
+    assert!(documented.status.success(), "{}", String::from_utf8_lossy(&documented.stderr));
 }
 
 #[test]
 fn a_warning_would_be_seen() {
-    let case: Vec<Case> = golden_cases().into_iter().filter(|c| c.name == "silence").collect();
     let unused = |text: &str| text.replacen("pub const SOMETHING", "const SOMETHING", 1);
-    let output = check(&krate("golden-rust-control", &case, unused));
+    let output = check(&krate("golden-rust-control", &only("silence"), unused));
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(!output.status.success() && said.contains("is never used"), "{said}");
+}
+
+#[test]
+fn text_that_runs_or_links_would_be_seen() {
+    let runs = |text: &str| text.replacen("/// panic!", "///     panic!", 1);
+    let (said, passed) = examples(&krate("golden-rust-runs", &only("doc-comments"), runs));
+    assert!(!passed && said.contains("running 1 test"), "{said}");
+    let links = |text: &str| text.replacen("https\\://", "https://", 1);
+    let output = cargo(&krate("golden-rust-links", &only("doc-comments"), links), &["doc", "--no-deps"]);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(!output.status.success() && said.contains("bare_urls"), "{said}");
 }

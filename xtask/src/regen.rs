@@ -94,6 +94,11 @@ fn profiles(root: &Path) -> std::io::Result<Vec<Profile>> {
     Ok(found)
 }
 
+/// The id of every drive; none where the folder of profiles cannot be read, which `regen` reports.
+pub fn drives(root: &Path) -> Vec<String> {
+    profiles(root).unwrap_or_default().into_iter().map(|profile| profile.id).collect()
+}
+
 fn folders(of: &Path) -> std::io::Result<Vec<PathBuf>> {
     let mut found = Vec::new();
     for entry in fs::read_dir(of)? {

@@ -1,9 +1,10 @@
 //! One escaping function for each output language. Text of a profile reaches an output through these and no other way.
 
-/// A character that could hide or reorder what a reader sees: controls, bidi marks, zero-width characters.
+/// A character that could hide or reorder what a reader sees: controls, bidi marks, zero-width characters, tags.
 pub fn is_hidden(c: char) -> bool {
     c.is_control()
-        || matches!(c, '\u{200B}'..='\u{200F}' | '\u{202A}'..='\u{202E}' | '\u{2060}'..='\u{2069}' | '\u{FEFF}' | '\u{061C}' | '\u{2028}' | '\u{2029}')
+        || matches!(c, '\u{AD}' | '\u{61C}' | '\u{180E}' | '\u{200B}'..='\u{200F}' | '\u{2028}'..='\u{202E}'
+            | '\u{2060}'..='\u{206F}' | '\u{FEFF}' | '\u{FFF9}'..='\u{FFFB}' | '\u{E0000}'..='\u{E0FFF}')
 }
 
 /// One line without hidden characters: each run of them becomes a blank.
@@ -40,27 +41,49 @@ pub fn rust_str(text: &str) -> String {
     out
 }
 
-/// Text of a Rust doc comment line: one line that can open no link, code block or HTML tag.
+/// Text of a Rust doc comment line: one line that can open no link, block, code block or HTML tag. What it says is never
+/// compiled or run.
 pub fn rust_doc(text: &str) -> String {
     markdown(text)
 }
 
-/// Text inside Markdown: one line in which no character has a meaning of its own.
+/// Text inside Markdown: one line in which no character has a meaning of its own. It may stand at the start of a line, as
+/// long as no full stop follows that is not part of it.
 pub fn markdown(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in one_line(text).chars() {
+    let line = one_line(text);
+    // Four blanks at the start of a line would make it code, which `cargo test` compiles and runs.
+    let line = line.trim();
+    let mut out = String::with_capacity(line.len());
+    let marker = block_marker(line);
+    for (at, c) in line.char_indices() {
         match c {
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '&' => out.push_str("&amp;"),
-            '\\' | '`' | '*' | '_' | '[' | ']' | '|' | '#' | '~' | '$' => {
-                out.push('\\');
-                out.push(c);
-            }
+            '\\' | '`' | '*' | '_' | '[' | ']' | '|' | '#' | '~' | '$' => out.extend(['\\', c]),
+            c if marker == Some(at) || makes_link(&line[..at], &line[at..]) => out.extend(['\\', c]),
             c => out.push(c),
         }
     }
     out
+}
+
+/// Where the sign stands that makes `line` more than a paragraph: a list, a rule, a table, or a heading of the line above.
+fn block_marker(line: &str) -> Option<usize> {
+    if let Some(rest) = line.strip_prefix(['-', '+', '=', ':']) {
+        return (!rest.starts_with(|c: char| c.is_ascii_alphanumeric())).then_some(0);
+    }
+    let digits = line.bytes().take_while(u8::is_ascii_digit).count();
+    let rest = line[digits..].strip_prefix(['.', ')'])?;
+    (digits > 0 && (rest.is_empty() || rest.starts_with(char::is_whitespace))).then_some(digits)
+}
+
+/// Whether the sign between `before` and `rest` makes a link of plain text: the colon of `https://x.org`, the first dot of
+/// `www.x.org`.
+fn makes_link(before: &str, rest: &str) -> bool {
+    rest.starts_with("://")
+        || rest.starts_with('.')
+            && before.get(before.len().saturating_sub(3)..).is_some_and(|w| w.eq_ignore_ascii_case("www"))
 }
 
 /// A value in an INI file (EDS, DCF): one line of printable ASCII without the signs that some reader takes for a comment,
@@ -104,5 +127,33 @@ mod tests {
     fn markdown_has_no_tags() {
         let out = markdown(HOSTILE);
         assert!(!out.contains('<') && !out.contains('\n') && !out.contains('\u{202E}'));
+    }
+
+    #[test]
+    fn markdown_opens_no_block() {
+        assert_eq!(markdown("    panic!()   "), "panic!()");
+        for (text, escaped) in [
+            ("---", "\\---"),
+            ("- item", "\\- item"),
+            ("+ item", "\\+ item"),
+            ("===", "\\==="),
+            (" = ", "\\="),
+            (":-: cell", "\\:-: cell"),
+            ("1. item", "1\\. item"),
+            ("12) item", "12\\) item"),
+            ("2.", "2\\."),
+            ("1.5 rpm", "1.5 rpm"),
+            ("-5 to +5", "-5 to +5"),
+            ("a - b = 1. c", "a - b = 1. c"),
+        ] {
+            assert_eq!(markdown(text), escaped);
+        }
+    }
+
+    #[test]
+    fn markdown_makes_no_link() {
+        assert_eq!(markdown("see https://x.org/a_b"), "see https\\://x.org/a\\_b");
+        assert_eq!(markdown("at WWW.x.org, Wwx."), "at WWW\\.x.org, Wwx.");
+        assert_eq!(markdown("C: 1:2"), "C: 1:2");
     }
 }

@@ -34,13 +34,23 @@ pub struct Profile {
 /// Parses `files` of one profile and merges them.
 pub fn merge(files: &[FileId], sources: &mut SourceMap, sink: &mut Sink) -> Profile {
     let mut rows = parse(files, sources, sink);
-    // The order of files and rows means nothing; where order shows, it is that of ids.
-    rows.errata.sort_by(|a, b| a.id.value.cmp(&b.id.value));
-    rows.manuals.sort_by(|a, b| a.id.value.cmp(&b.id.value));
+    sort(&mut rows);
     one_drive(&rows, files, sink);
     let bases = bases(&rows, sources, sink);
     errata::apply(&mut rows, sink);
     Profile { rows, bases }
+}
+
+/// The order of files and rows means nothing; where order shows, it is that of keys.
+fn sort(rows: &mut Rows) {
+    rows.manuals.sort_by(|a, b| a.id.value.cmp(&b.id.value));
+    rows.objects.sort_by_key(|r| (r.at.value.index, r.at.value.addresses().next(), r.at.value.sub));
+    // A table is called what the row of its lowest value or bit calls it.
+    rows.enums.sort_by_cached_key(|r| (r.value.value, r.name.value.clone()));
+    rows.bits.sort_by_cached_key(|r| (r.mode.map(|m| m.value), r.bit.value, r.name.value.clone()));
+    rows.alarms.sort_by_cached_key(|r| (r.number.value, r.display.value.clone()));
+    rows.pdo.sort_by_key(|r| (r.map.value, r.pos.value));
+    rows.errata.sort_by(|a, b| a.id.value.cmp(&b.id.value));
 }
 
 fn parse(files: &[FileId], sources: &SourceMap, sink: &mut Sink) -> Rows {

@@ -78,9 +78,9 @@ fn homing(method: &HomingMethod) -> Vec<&Origin> {
     columns.into_iter().chain(cases).flatten().collect()
 }
 
-/// Rows of the small tables.
+/// Rows of the small tables, with the origins of the values that they may have.
 fn behaviour(model: &Model) -> impl Iterator<Item = (String, Vec<Option<&Origin>>)> {
-    let operation = model
+    let by_mode = model
         .modes
         .iter()
         .map(|m| (format!("mode {}", m.number), vec![Some(&m.name.origin), origin(m.objects.as_ref())]));
@@ -130,7 +130,7 @@ fn behaviour(model: &Model) -> impl Iterator<Item = (String, Vec<Option<&Origin>
         ];
         (format!("example {}", e.label()), facts)
     });
-    operation
+    by_mode
         .chain(states)
         .chain(commands)
         .chain(aborts)

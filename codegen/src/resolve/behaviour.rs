@@ -23,10 +23,10 @@ pub(super) fn fill(model: &mut Model, profile: &Profile, sink: &mut Sink) {
     let (rows, errata) = (&profile.rows, profile.rows.errata.as_slice());
     model.modes = sorted(&rows.modes, |r| r.mode.value, sink).map(|r| mode(r, errata)).collect();
     // States and commands stay in the order of the manual.
-    model.states = distinct(&rows.states, sink).map(|r| state(r, errata)).collect();
-    model.commands = distinct(&rows.commands, sink).map(|r| command(r, errata)).collect();
+    model.states = printed(&rows.states, |r| r.src.as_ref(), sink).map(|r| state(r, errata)).collect();
+    model.commands = printed(&rows.commands, |r| r.src.as_ref(), sink).map(|r| command(r, errata)).collect();
     model.aborts = sorted(&rows.aborts, |r| r.code.value, sink).map(|r| abort(r, errata)).collect();
-    model.terminals = distinct(&rows.io, sink).map(|r| terminal(r, errata)).collect();
+    model.terminals = printed(&rows.io, |r| r.src.as_ref(), sink).map(|r| terminal(r, errata)).collect();
     model.sync_managers =
         sorted(&rows.sync_managers, |r| r.number.value, sink).map(|r| sync_manager(r, errata)).collect();
     model.fmmus = sorted(&rows.fmmus, |r| r.number.value, sink).map(|r| fmmu(r, errata)).collect();
@@ -49,12 +49,21 @@ pub(super) fn sorted<'a, R: Row, K: Ord>(
     once(sorted, sink)
 }
 
-/// Rows in the order of the profile, each name once.
-fn distinct<'a, R: Row>(rows: &'a [R], sink: &mut Sink) -> impl Iterator<Item = &'a R> {
+/// Rows in the order of the lines that they cite, each name once: the order of rows in a file means nothing.
+fn printed<'a, R: Row>(
+    rows: &'a [R],
+    src: impl Fn(&R) -> Option<&Sp<Cite>>,
+    sink: &mut Sink,
+) -> impl Iterator<Item = &'a R> {
     let mut rows: Vec<&R> = rows.iter().collect();
-    // The order of files means nothing; that of rows in one file is the manual's.
-    rows.sort_by_key(|r| r.meta().span());
+    rows.sort_by_cached_key(|r| (line(src(r)), r.key()));
     once(rows, sink)
+}
+
+/// The manual and the line that a citation names first.
+pub(super) fn line(src: Option<&Sp<Cite>>) -> Option<(Option<String>, Option<u32>)> {
+    let place = src?.value.places.first()?;
+    Some((place.manual.clone(), place.lines.first().copied()))
 }
 
 fn once<'a, R: Row>(rows: Vec<&'a R>, sink: &mut Sink) -> impl Iterator<Item = &'a R> {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::behaviour::line;
 use super::origin::Says;
 use crate::diag::{Diagnostic, Sink, code};
 use crate::merge::Profile;
@@ -18,9 +19,10 @@ pub(super) fn methods(profile: &Profile, sink: &mut Sink) -> Vec<HomingMethod> {
     let mut groups: BTreeMap<i8, Vec<&HomingRow>> = BTreeMap::new();
     let by_case = |r: &HomingRow| (r.method.value, r.case.map(|c| c.value));
     let errata = profile.rows.errata.as_slice();
-    // Rows without a number of their own are cases in the order written.
+    // Rows without a number of their own are cases in the order of the lines that they cite.
+    let when = |r: &HomingRow| r.when.as_ref().map(|w| w.value.to_string());
     let mut rows: Vec<&HomingRow> = profile.rows.homing.iter().collect();
-    rows.sort_by_key(|r| (by_case(r), r.meta.span()));
+    rows.sort_by_cached_key(|r| (by_case(r), line(r.src.as_ref()), when(r)));
     for row in rows {
         groups.entry(row.method.value).or_default().push(row);
     }

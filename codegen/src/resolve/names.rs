@@ -39,7 +39,7 @@ pub(super) fn check_unique(model: &Model, sink: &mut Sink) {
 fn scope<'a>(what: &str, names: impl Iterator<Item = (&'a Name, Span)>, case: Case, sink: &mut Sink) {
     let mut seen: BTreeMap<String, (&Name, Span)> = BTreeMap::new();
     for (name, span) in names {
-        let key = name.to_case(case);
+        let key = name.to_identifier(case);
         let Some((first, at)) = seen.get(&key) else {
             seen.insert(key, (name, span));
             continue;

@@ -218,8 +218,9 @@ impl<'a> Resolver<'a, '_> {
         let (name, ty, access) = (name?, ty?, access?);
         self.deviation(stated, address);
         // A name that stands for several entries gets the number of each.
-        let named =
-            if row.name.is_some() || row.rename.is_some() { row } else { stated.range.unwrap_or(row) };
+        let rows = [Some(row), stated.range, stated.base.map(|b| b.1)];
+        let named = rows.into_iter().flatten().find(|r| r.name.is_some() || r.rename.is_some());
+        let named = named.unwrap_or(row);
         let handle = member_name(named.rename.as_ref().map_or(&name.value, |r| &r.value), named, address);
         let values = self.pick("values", stated, |r| r.values.as_ref());
         let bits = self.pick("bits", stated, |r| r.bits.as_ref());

@@ -8,6 +8,7 @@ mod reader;
 use std::collections::BTreeMap;
 
 use drivewright_codegen::backend::eds::Eds;
+use drivewright_codegen::backend::rust::Rust;
 use drivewright_codegen::diag::Diagnostic;
 use drivewright_codegen::emit;
 use drivewright_codegen::emit::escape;
@@ -278,6 +279,30 @@ fn one_print_for_many_becomes_many_names() {
 }
 
 #[test]
+fn names_that_grow_keep_their_line_and_stay_apart() {
+    let long = "Gain#".repeat(40);
+    let other = "Gain#".repeat(39) + "Gain;";
+    let rows = format!(
+        r#"
+{{ at = "2000:00", name = "{long}", rename = "First", type = "u16", access = "rw", src = "1 L1" }},
+{{ at = "2001:00", name = "{other}", rename = "Second", type = "u16", access = "rw", src = "1 L1" }},
+{{ at = "3000", name = "Groß#", kind = "array", src = "1 L1" }},
+{{ at = "3000:00", name = "Count", type = "u8", access = "ro", src = "1 L1" }},
+{{ at = "3000:01", name = "A#", type = "i32", access = "rw", src = "1 L1" }},
+{{ at = "3000:02", name = "ANo.", type = "i32", access = "rw", src = "1 L1" }},"#
+    );
+    let (text, diagnostics) = eds(&model(&rows, ""));
+    let sections = read(text.as_bytes()).expect("no line is too long");
+    let names = ["2000", "2001", "3000", "3000sub1", "3000sub2"].map(|s| &sections[s]["ParameterName"]);
+    assert_eq!((names[0].len(), names[1].len()), (241, 241));
+    assert!(names[0].ends_with(" 2000h") && names[1].ends_with(" 2001h"), "{names:?}");
+    assert_eq!(names[2..], ["Gro?No.", "ANo. 1", "ANo. 2"]);
+    let lost: Vec<&str> =
+        diagnostics.iter().filter(|d| d.code.id() == "W1005").map(|d| d.message.as_str()).collect();
+    assert_eq!(lost, ["EDS: a name is not written as printed: 2000:00, 2001:00, 3000:00..01"]);
+}
+
+#[test]
 fn what_is_lost_is_said_once_a_kind_and_in_the_file() {
     let rows = r#"
 { at = "0005:00", name = "Data type", type = "u8", access = "ro", src = "1 L1" },
@@ -311,6 +336,34 @@ fn what_is_lost_is_said_once_a_kind_and_in_the_file() {
         assert!(comments.contains(&line), "{line}\n{comments:#?}");
     }
     assert!(diagnostics.iter().all(|d| !d.why.is_empty() && !d.help.is_empty()));
+}
+
+#[test]
+fn what_is_assumed_stands_in_the_file_and_in_the_readme() {
+    let rows = r#"
+{ at = "1600:00", name = "Number of mapped", type = "u8", access = "rw", default = 1, src = "1 L1" },
+{ at = "1600:01..02", name = "Mapped", type = "u32", access = "rw", src = "1 L1" },
+{ at = "2003:00", name = "Angle", type = "u16", access = "rw", default = 5, assumed = ["default: nobody prints it"], src = "1 L1" },"#;
+    let (files, _) = emit(&model(rows, ""), &[&Eds, &Rust]);
+    let text = |path: &str| String::from_utf8(files.get(path).expect(path).to_vec()).expect("UTF-8");
+    let sections = read(text("eds/acme-x1.eds").as_bytes()).expect("well formed");
+    let comments = &sections["Comments"];
+    assert!(comments.values().all(|line| !line.is_empty()), "{comments:?}");
+    let lines = (1..comments.len()).map(|n| comments[&format!("Line{n}")].as_str());
+    let comments = lines.collect::<Vec<_>>().join(" ");
+    let readme = text("README.md").replace('\\', "");
+    let (_, list) = readme.split_once("## Assumed").expect("a section");
+    let (list, _) = list.split_once("\n## ").expect("another one");
+    let sentences: Vec<&str> = list.lines().filter_map(|l| l.strip_prefix("- ")).collect();
+    for sentence in &sentences {
+        assert!(comments.contains(sentence), "{sentence}\n{comments}");
+    }
+    for word in
+        ["12:00AM", "BaudRate", "Granularity is 8", "NrOfRXPDO", "VendorNumber", "nobody prints it): 2003:00"]
+    {
+        assert!(sentences.iter().any(|s| s.contains(word)), "{word}\n{list}");
+    }
+    assert!(comments.contains("is not the highest sub-index: 1600:00"), "{comments}");
 }
 
 fn sorted(mut lines: Vec<String>) -> Vec<String> {

@@ -127,6 +127,9 @@ fn entry(keys: &Keys, section: &str) -> Result<Entry, String> {
         "PDOMapping",
     ];
     allowed(keys, &known, section)?;
+    if !matches!(whole(get(keys, "ObjectType", section)?)?, 2_u8 | 7) {
+        return Err(format!("[{section}] is no entry"));
+    }
     let number = |key: &str| keys.get(key).filter(|v| !v.is_empty()).map(|v| whole(v)).transpose();
     Ok(Entry {
         name: get(keys, "ParameterName", section)?.to_owned(),

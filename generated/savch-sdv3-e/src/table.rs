@@ -653,8 +653,8 @@ pub static OBJECTS: [ObjectDesc<'static>; 639] = [
     ObjectDesc::new(Address::new(0x6099, 0x01), DataType::UNSIGNED32, Access::Rw, Mapping::RxTx, "Homing Speed for Switch Search").range(1, 60_000).default_int(500).unit(10),
     ObjectDesc::new(Address::new(0x6099, 0x02), DataType::UNSIGNED32, Access::Rw, Mapping::RxTx, "Homing Speed for Zero Search").range(1, 60_000).default_int(50).unit(10),
     ObjectDesc::new(Address::new(0x60B0, 0x00), DataType::INTEGER32, Access::Rw, Mapping::RxTx, "Position offset").range(-2_147_483_648, 2_147_483_647).default_int(0).unit(3),
-    ObjectDesc::new(Address::new(0x60B8, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::RxTx, "Touch Probe Function").default_int(0),
-    ObjectDesc::new(Address::new(0x60B9, 0x00), DataType::UNSIGNED16, Access::Ro, Mapping::Tx, "Touch Probe Status").default_int(0),
+    ObjectDesc::new(Address::new(0x60B8, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::RxTx, "Touch Probe Function").default_int(0).bits(2),
+    ObjectDesc::new(Address::new(0x60B9, 0x00), DataType::UNSIGNED16, Access::Ro, Mapping::Tx, "Touch Probe Status").default_int(0).bits(3),
     ObjectDesc::new(Address::new(0x60BA, 0x00), DataType::INTEGER32, Access::Ro, Mapping::Tx, "Touch probe pos1 pos value").range(-2_147_483_648, 2_147_483_647).default_int(0).unit(3),
     ObjectDesc::new(Address::new(0x60BB, 0x00), DataType::INTEGER32, Access::Ro, Mapping::Tx, "Touch probe pos1 neg value").range(-2_147_483_648, 2_147_483_647).default_int(0).unit(3),
     ObjectDesc::new(Address::new(0x60BC, 0x00), DataType::INTEGER32, Access::Ro, Mapping::Tx, "Touch probe pos2 pos value").range(-2_147_483_648, 2_147_483_647).default_int(0).unit(3),
@@ -783,6 +783,7 @@ pub static BIT_FIELDS: [BitFieldDesc<'static>; 6] = [
         BitDesc::new(7, 1, "Cyclic synchronous position"),
         BitDesc::new(8, 1, "Cyclic synchronous velocity"),
         BitDesc::new(9, 1, "Cyclic synchronous torque"),
+        BitDesc::new(10, 1, "Cyclic synchronous torque with commutation angle"),
     ]),
 ];
 

@@ -70,7 +70,8 @@ impl<T, A, M, Q> Object<T, A, M, Q> {
     {
         let (min, max) = T::DATA_TYPE.range().unwrap_or((0, 0));
         let near = |n: i128| i64::try_from(n).unwrap_or(if n < 0 { i64::MIN } else { i64::MAX });
-        RangeError::new(self.address, count, self.min.max(near(min)), self.max.min(near(max)))
+        let range = (self.min.max(near(min)), self.max.min(near(max)));
+        RangeError::new(self.address, count, range, self.allowed)
     }
 
     fn value<P>(self, factor: Factor, raw: T) -> Result<Value<P>, ConvertError>

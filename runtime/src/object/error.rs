@@ -5,7 +5,7 @@ use core::fmt;
 use crate::address::Address;
 use crate::wire::WireError;
 
-/// A raw value outside the limits that the manual states. The drive would refuse it with abort 0609 0030, 0609 0031
+/// A raw value that the manual excludes: outside its limits, or none of those that it lists. The drive would refuse it with abort 0609 0030, 0609 0031
 /// or 0609 0032, or clip it without a word.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -20,20 +20,28 @@ pub struct RangeError {
     pub min: i64,
     /// Highest raw value; `i64::MAX` where none is stated.
     pub max: i64,
+    /// The only raw values; empty where none are listed.
+    pub allowed: &'static [i64],
 }
 
 impl RangeError {
     #[cold]
-    pub(crate) fn new(address: Address, value: i128, min: i64, max: i64) -> Self {
+    pub(crate) fn new(address: Address, value: i128, range: (i64, i64), allowed: &'static [i64]) -> Self {
         let nearest = if value < 0 { i64::MIN } else { i64::MAX };
-        Self { address, value: i64::try_from(value).unwrap_or(nearest), min, max }
+        let value = i64::try_from(value).unwrap_or(nearest);
+        Self { address, value, min: range.0, max: range.1, allowed }
     }
 }
 
 impl fmt::Display for RangeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { address, value, min, max } = self;
-        write!(f, "{value} is outside {min} to {max}, the raw range of {address}")
+        let Self { address, value, min, max, allowed } = self;
+        let [first, others @ ..] = allowed else {
+            return write!(f, "{value} is outside {min} to {max}, the raw range of {address}");
+        };
+        write!(f, "{value} is not one of {first}")?;
+        others.iter().try_for_each(|other| write!(f, ", {other}"))?;
+        write!(f, ", the raw values of {address}")
     }
 }
 
@@ -45,7 +53,7 @@ impl core::error::Error for RangeError {}
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum EncodeError {
-    /// The value is outside the stated limits.
+    /// The value is outside the stated limits, or not listed.
     Range(RangeError),
     /// The value does not go into the bytes.
     Wire(WireError),
@@ -92,7 +100,7 @@ pub enum ConvertError {
         /// The object.
         address: Address,
     },
-    /// The count is outside the stated limits or outside the type.
+    /// The count is outside the stated limits, not listed, or outside the type.
     OutOfRange(RangeError),
     /// The result takes more than 64 bits above or 32 bits below the line.
     TooLarge {
@@ -140,11 +148,12 @@ mod tests {
 
     #[test]
     fn errors_say_what_was_wrong_and_carry_their_source() {
-        let range = RangeError::new(Address::new(0x6081, 0), 70_000, 0, 60_000);
+        let range = RangeError::new(Address::new(0x6081, 0), 70_000, (0, 60_000), &[]);
         assert_eq!(range.to_string(), "70000 is outside 0 to 60000, the raw range of 6081:00");
         assert_eq!(EncodeError::from(range).source().unwrap().to_string(), range.to_string());
         assert!(ConvertError::from(range).source().is_some());
-        assert_eq!(RangeError::new(Address::new(0, 0), u64::MAX.into(), 0, 1).value, i64::MAX);
-        assert_eq!(RangeError::new(Address::new(0, 0), i128::MIN, 0, 1).value, i64::MIN);
+        let of = |value| RangeError::new(Address::new(0, 0), value, (0, 1), &[7]);
+        assert_eq!((of(u64::MAX.into()).value, of(i128::MIN).value), (i64::MAX, i64::MIN));
+        assert_eq!(of(8).to_string(), "8 is not one of 7, the raw values of 0000:00");
     }
 }

@@ -39,6 +39,7 @@ pub struct Object<T, A, M, Q> {
     den: u32,
     min: i64,
     max: i64,
+    allowed: &'static [i64],
     types: Types<T, A, M, Q>,
 }
 
@@ -69,6 +70,7 @@ impl<T, A, M, Q> Object<T, A, M, Q> {
             den: 1,
             min: NO_MIN,
             max: NO_MAX,
+            allowed: &[],
             types: PhantomData,
         }
     }
@@ -80,6 +82,22 @@ impl<T, A, M, Q> Object<T, A, M, Q> {
     pub const fn range(mut self, min: i64, max: i64) -> Self {
         self.min = min;
         self.max = max;
+        self
+    }
+
+    /// With the only raw values that the drive accepts. An empty list means that none is stated.
+    ///
+    /// ```
+    /// use drivewright_runtime::prelude::*;
+    ///
+    /// const BAUD_RATE: Object<u8, Rw, Unmapped, Raw> = Object::new(0x2000, 0).range(0, 8).allow(&[0, 1, 5]);
+    ///
+    /// assert!(BAUD_RATE.check(5).is_ok());
+    /// assert_eq!(BAUD_RATE.check(2).unwrap_err().to_string(), "2 is not one of 0, 1, 5, the raw values of 2000:00");
+    /// ```
+    #[must_use]
+    pub const fn allow(mut self, allowed: &'static [i64]) -> Self {
+        self.allowed = allowed;
         self
     }
 
@@ -115,23 +133,47 @@ impl<T, A, M, Q> Object<T, A, M, Q> {
         }
     }
 
+    /// The only raw values that the drive accepts; empty where none is stated.
+    pub const fn allowed(self) -> &'static [i64] {
+        self.allowed
+    }
+
     /// What one count is worth, in base units: numerator and denominator, as stated.
     pub const fn factor(self) -> (u32, u32) {
         (self.num, self.den)
     }
 
-    /// Whether `raw` is within the stated limits. The width of the type is not looked at.
+    /// Whether `raw` is within the stated limits and one of the listed values. The width of the type is not looked at.
     pub const fn accepts(self, raw: i128) -> bool {
+        self.in_range(raw) && self.in_list(raw)
+    }
+
+    /// Whether `raw` is within the stated limits.
+    #[doc(hidden)]
+    pub const fn in_range(self, raw: i128) -> bool {
         (self.min == NO_MIN || raw >= self.min as i128) && (self.max == NO_MAX || raw <= self.max as i128)
     }
 
-    /// That `raw` is within the stated limits.
+    /// Whether `raw` is one of the listed values, or none is listed.
+    #[doc(hidden)]
+    pub const fn in_list(self, raw: i128) -> bool {
+        let mut left = self.allowed;
+        while let [value, rest @ ..] = left {
+            if *value as i128 == raw {
+                return true;
+            }
+            left = rest;
+        }
+        self.allowed.is_empty()
+    }
+
+    /// That `raw` is within the stated limits and one of the listed values.
     #[inline]
     pub(crate) fn check_count(self, raw: i128) -> Result<(), RangeError> {
         if self.accepts(raw) {
             Ok(())
         } else {
-            Err(RangeError::new(self.address, raw, self.min, self.max))
+            Err(RangeError::new(self.address, raw, (self.min, self.max), self.allowed))
         }
     }
 }
@@ -142,10 +184,11 @@ impl<T: Wire, A, M, Q> Object<T, A, M, Q> {
         T::DATA_TYPE
     }
 
-    /// Whether `value` is within the stated limits; texts, bytes and floating point have none.
+    /// Whether `value` is within the stated limits and one of the listed values; texts, bytes and floating point have
+    /// neither.
     ///
     /// # Errors
-    /// [`RangeError`] with the value and the limits.
+    /// [`RangeError`] with the value, the limits and the list.
     #[inline]
     pub fn check(self, value: T::View<'_>) -> Result<(), RangeError> {
         match T::whole(value) {
@@ -157,7 +200,7 @@ impl<T: Wire, A, M, Q> Object<T, A, M, Q> {
     /// Checks `value` and writes it to the start of `out`; returns how many bytes.
     ///
     /// # Errors
-    /// [`EncodeError::Range`] outside the stated limits, [`EncodeError::Wire`] when `out` is too short.
+    /// [`EncodeError::Range`] for a value that the drive refuses, [`EncodeError::Wire`] when `out` is too short.
     #[inline]
     pub fn encode(self, value: T::View<'_>, out: &mut [u8]) -> Result<usize, EncodeError>
     where
@@ -247,6 +290,19 @@ mod tests {
         assert!(WIDE.range(0, 5).check(u64::MAX).is_err());
         assert!(SIGNED.check(i64::MIN).is_ok());
         assert!(SIGNED.check(i64::MAX).is_ok());
+    }
+
+    #[test]
+    fn only_listed_values_are_accepted() {
+        const OPTION: Object<i16, Rw, RxTx, Raw> = Object::new(0x605A, 0).range(-1, 8).allow(&[-1, 0, 5, 9]);
+        for value in -3..12 {
+            assert_eq!(OPTION.accepts(value.into()), [-1, 0, 5].contains(&value), "{value}");
+            assert_eq!(OPTION.encode(value, &mut [0; 2]).is_ok(), OPTION.check(value).is_ok());
+        }
+        assert!(!OPTION.accepts(i128::MAX) && !OPTION.accepts(1 << 64 | 5));
+        let error = OPTION.check(2).unwrap_err();
+        assert_eq!((error.value, error.allowed), (2, OPTION.allowed()));
+        assert!(OPTION.allow(&[]).accepts(2), "no list");
     }
 
     #[test]

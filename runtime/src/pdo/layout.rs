@@ -167,7 +167,7 @@ macro_rules! pdo_layout {
                 $crate::pdo::offset_of(&Self::MAPPING, address)
             }
 
-            /// That every value is within the limits of its object.
+            /// That every value is one that its object accepts: within its limits, and listed where values are listed.
             ///
             /// # Errors
             /// The first one that is not.
@@ -187,7 +187,7 @@ macro_rules! pdo_layout {
                 *out
             }
 
-            /// The bytes of the frame, if every value is within the limits of its object.
+            /// The bytes of the frame, if every value is one that its object accepts.
             ///
             /// # Errors
             /// The first value that is not.

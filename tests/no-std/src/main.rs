@@ -30,6 +30,7 @@ wire_enum! {
 const CONTROLWORD: Object<Controlword, Rw, Rx, Raw> = Object::new(0x6040, 0);
 const MODE: Object<ModeOfOperation, Rw, Rx, Raw> = Object::new(0x6060, 0);
 const TARGET: Object<i32, Rw, Rx, UserPosition> = Object::new(0x607A, 0);
+const OPTION: Object<i16, Rw, Unmapped, Raw> = Object::new(0x605A, 0).allow(&[0, 1, 5]);
 const VELOCITY: Object<u32, Rw, RxTx, Velocity> = Object::new(0x6081, 0).range(0, 60_000).scale(1, 10);
 
 pdo_layout! {
@@ -81,6 +82,13 @@ fn velocity(lines: &mut Lines) -> Result<(), core::fmt::Error> {
     }
 }
 
+fn option(lines: &mut Lines) -> Result<(), core::fmt::Error> {
+    match OPTION.check(black_box(2)) {
+        Ok(()) => lines.write_str("listed"),
+        Err(error) => write!(lines, "{error}"),
+    }
+}
+
 /// The same with a generated crate: a command, a frame, and why a drive stopped.
 fn generated(lines: &mut Lines) -> Result<(), core::fmt::Error> {
     use savch_sdv3_e::{alarms, bits, enums, pdo};
@@ -101,6 +109,7 @@ fn generated(lines: &mut Lines) -> Result<(), core::fmt::Error> {
 fn report(lines: &mut Lines) -> Result<(), core::fmt::Error> {
     setpoint(lines)?;
     velocity(lines)?;
+    option(lines)?;
     generated(lines)?;
     if let Err(difference) = compare(&Command::MAPPING, black_box([0x6040_0010, 0x6060_0010])) {
         write!(lines, "{difference}")?;

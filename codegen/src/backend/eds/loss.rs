@@ -91,8 +91,8 @@ losses! {
         "add it if the drive has it";
     NameChanged TEXT
         "a name is not written as printed"
-        "an EDS holds one line of ASCII, in which some signs have a meaning of their own"
-        "nothing; model.json and the generated documentation carry it";
+        "an EDS holds one line of at most 241 characters of ASCII, in which some signs have a meaning of their own"
+        "nothing, or a shorter `name`; model.json and the generated crate carry it";
     DriveTextChanged TEXT
         "the name of the maker or of the product is not written as printed"
         "an EDS holds one line of at most 240 characters of ASCII"
@@ -113,7 +113,11 @@ pub(super) struct Losses(BTreeMap<Loss, (Span, Vec<Address>)>);
 impl Losses {
     /// Adds `address`; the warning points to the first one of its kind.
     pub(super) fn add(&mut self, loss: Loss, address: Address, span: Span) {
-        self.0.entry(loss).or_insert((span, Vec::new())).1.push(address);
+        let addresses = &mut self.0.entry(loss).or_insert((span, Vec::new())).1;
+        // An object and its sub-index 0 share theirs.
+        if addresses.last() != Some(&address) {
+            addresses.push(address);
+        }
     }
 
     /// Adds a loss of the drive as a whole.

@@ -20,6 +20,8 @@ pub(super) struct Sheet {
     pub(super) unmapped: Vec<Address>,
     /// Entries at sub-index 0 that state the highest sub-index because nobody states a default.
     pub(super) counted: Vec<Address>,
+    /// Entries at sub-index 0 whose default is another number than the highest sub-index: how much is mapped or assigned.
+    pub(super) mapped: Vec<Address>,
 }
 
 /// An object.
@@ -51,8 +53,13 @@ const MANDATORY: [u16; 3] = [0x1000, 0x1001, 0x1018];
 
 /// Lowers a drive.
 pub(super) fn lower(model: &Model) -> Sheet {
-    let mut sheet =
-        Sheet { objects: Vec::new(), losses: Losses::default(), unmapped: Vec::new(), counted: Vec::new() };
+    let mut sheet = Sheet {
+        objects: Vec::new(),
+        losses: Losses::default(),
+        unmapped: Vec::new(),
+        counted: Vec::new(),
+        mapped: Vec::new(),
+    };
     let maps = mapped_entries(model);
     for (object, name) in model.objects.as_slice().iter().zip(names::of_objects(model)) {
         if object.index < 0x1000 {
@@ -116,6 +123,10 @@ fn section(
     if !variable && entries().all(|e| e.address.sub != 0) {
         sheet.losses.add(Loss::NoSubIndex0, here, object.name.span());
     }
+    let printed = object.name.value.original();
+    if !variable && names::text(printed) != printed {
+        sheet.losses.add(Loss::NameChanged, here, object.name.span());
+    }
     let highest = entries().map(|e| e.address.sub).filter(|sub| *sub != 0xFF).max();
     let names = names::of_entries(object, model);
     let mut section = Section { index: object.index, name, kind, entries: Vec::new() };
@@ -134,7 +145,7 @@ fn section(
 fn keys(entry: &Entry, name: String, count: Option<u8>, map: Option<&i128>, sheet: &mut Sheet) -> Keys {
     let address = entry.address;
     let mut lose = |loss| sheet.losses.add(loss, address, entry.name.span());
-    if escape::ini(&entry.name.value) != entry.name.value {
+    if names::text(&entry.name.value) != entry.name.value {
         lose(Loss::NameChanged);
     }
     let range = value::limits(entry, &mut lose);
@@ -149,6 +160,9 @@ fn keys(entry: &Entry, name: String, count: Option<u8>, map: Option<&i128>, shee
     }
     if entry.default.is_none() && map.is_none() && count.is_some() && default.is_some() {
         sheet.counted.push(address);
+    }
+    if count.is_some_and(|n| default.is_some_and(|d| d != Default::Int(n.into()))) {
+        sheet.mapped.push(address);
     }
     Keys {
         sub: address.sub,

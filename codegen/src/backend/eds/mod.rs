@@ -2,7 +2,7 @@
 //!
 //! What that flavour is: ASCII, CR/LF, every key of `FileInfo` and `DeviceInfo`, the access words `ro rw wo const`,
 //! signed numbers in decimal, and no default where readers disagree about its form. [`lower`] decides what the sheet
-//! says, [`write`] prints it, [`comments`] tells the reader what is assumed or lost. What the format cannot hold is a
+//! says, [`write`] prints it, [`comments`] tells the reader what is [`assumed`] or lost. What the format cannot hold is a
 //! [`loss`]: a warning and a comment in the file.
 //!
 //! What the manual states stands: `1600:00` counts what is mapped by default, not the mapping's sub-indexes. Only
@@ -10,6 +10,7 @@
 //!
 //! It writes no DCF: a configuration is a choice of the user, not a fact about the drive.
 
+mod assumed;
 mod comments;
 mod loss;
 mod lower;
@@ -49,6 +50,11 @@ impl Backend for Eds {
             );
         }
     }
+}
+
+/// What the sheet of a drive assumes, in sentences.
+pub(super) fn assumptions(model: &Model) -> Vec<String> {
+    assumed::sentences(model, &lower::lower(model))
 }
 
 fn path(model: &Model) -> String {

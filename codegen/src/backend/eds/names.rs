@@ -2,11 +2,24 @@
 //!
 //! Programs find an object by its name, and of two equal names they find one.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::lower::is_variable;
 use crate::emit::escape;
 use crate::model::{Model, Object};
+
+/// Longest name: behind `ParameterName=`, a line has the 255 characters that CiA 306 allows.
+const LONGEST: usize = 241;
+
+/// A name as the sheet holds it, where no number has to stand behind it.
+pub(super) fn text(name: &str) -> String {
+    capped(&escape::ini(name), LONGEST)
+}
+
+/// The first characters of an escaped text, which is ASCII.
+fn capped(text: &str, most: usize) -> String {
+    text.get(..most).unwrap_or(text).trim_end().to_owned()
+}
 
 /// The names of the objects of a drive, in their order: `Gain`, or `Gain 2001h`.
 pub(super) fn of_objects(model: &Model) -> Vec<String> {
@@ -30,14 +43,58 @@ fn printed<'a>(object: &'a Object, model: &'a Model) -> &'a str {
 
 /// Escapes names; one that stands there twice, or of which nothing is left, gets its number.
 fn unique(names: &[(&str, String)]) -> Vec<String> {
+    let texts: Vec<String> = names.iter().map(|(name, _)| text(name)).collect();
     let mut times: BTreeMap<&str, u32> = BTreeMap::new();
-    for (name, _) in names {
-        *times.entry(name).or_insert(0) += 1;
+    for text in &texts {
+        *times.entry(text).or_insert(0) += 1;
     }
-    let numbered = |(name, number): &(&str, String)| {
-        let text = escape::ini(name);
-        let once = times.get(name).is_none_or(|n| *n == 1) && !text.is_empty();
-        if once { text } else { escape::ini(&format!("{text} {number}")) }
+    let alone = |text: &&String| times.get(text.as_str()) == Some(&1) && !text.is_empty();
+    let mut taken: BTreeSet<String> = texts.iter().filter(alone).cloned().collect();
+    let name = |(text, (_, number)): (&String, &(&str, String))| {
+        if alone(&text) { text.clone() } else { numbered(text, number, &mut taken) }
     };
-    names.iter().map(numbered).collect()
+    texts.iter().zip(names).map(name).collect()
+}
+
+/// `text` with its number behind it, more than once should that be the name of another.
+fn numbered(text: &str, number: &str, taken: &mut BTreeSet<String>) -> String {
+    let mut tail = String::new();
+    loop {
+        tail.extend([" ", number]);
+        let name = capped(text, LONGEST.saturating_sub(tail.len())) + &tail;
+        let name = name.trim_start().to_owned();
+        if taken.insert(name.clone()) {
+            return name;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(names: &[&str]) -> Vec<String> {
+        let numbered: Vec<(&str, String)> = names.iter().zip(1..).map(|(n, i)| (*n, i.to_string())).collect();
+        unique(&numbered)
+    }
+
+    #[test]
+    fn equal_prints_get_numbers() {
+        assert_eq!(of(&["Gain", "Speed", "Gain"]), ["Gain 1", "Speed", "Gain 3"]);
+        assert_eq!(of(&["", "\u{202E}"]), ["1", "2"]);
+    }
+
+    #[test]
+    fn what_becomes_equal_gets_numbers_too() {
+        assert_eq!(of(&["a;b", "a,b"]), ["a,b 1", "a,b 2"]);
+        assert_eq!(of(&["Gain", "Gain", "Gain 1"]), ["Gain 1 1", "Gain 2", "Gain 1"]);
+    }
+
+    #[test]
+    fn names_end_where_a_line_does() {
+        let long = "a#".repeat(100);
+        let names = of(&[&long, &(long.clone() + "b"), &"x".repeat(241), &"y".repeat(242)]);
+        assert_eq!(names.iter().map(String::len).collect::<Vec<_>>(), [241; 4]);
+        assert!(names[0].ends_with(" 1") && names[1].ends_with(" 2"), "{names:?}");
+    }
 }

@@ -48,6 +48,8 @@ fn widths(table: Table) -> (usize, usize) {
     match table {
         Table::Drive => (5, 18),
         Table::Manuals | Table::Pdos => (12, 9),
+        Table::Enums | Table::Bits => (32, 9),
+        Table::Alarms | Table::Errata => (16, 9),
         Table::Objects
         | Table::Homing
         | Table::Modes
@@ -55,8 +57,6 @@ fn widths(table: Table) -> (usize, usize) {
         | Table::Emcy
         | Table::Rules
         | Table::Examples => (14, 9),
-        Table::Enums | Table::Bits => (32, 9),
-        Table::Alarms | Table::Errata => (16, 9),
         Table::States | Table::Commands | Table::Aborts | Table::Terminals => (32, 11),
     }
 }

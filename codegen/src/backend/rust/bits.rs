@@ -38,7 +38,11 @@ fn fields(out: &mut String, table: &BitsDef) {
 fn doc(field: &BitField) -> Vec<String> {
     let mode = field.mode.map_or_else(String::new, |m| format!(", in mode {m}"));
     let text = field.text.as_ref().map_or_else(String::new, |t| format!(" {}", rust_doc(t)));
-    let mut lines = vec![format!("{}{mode}.{text}{}", rust_doc(&field.printed), source(&field.name.origin))];
+    let mut lines = vec![format!(
+        "{}{text}{}",
+        rust_doc(&format!("{}{mode}.", field.printed)),
+        source(&field.name.origin)
+    )];
     if let Some(deviation) = &field.deviation {
         lines.extend([String::new(), format!("Deviates from the standard: {}", rust_doc(deviation))]);
     }

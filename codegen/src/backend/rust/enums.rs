@@ -7,7 +7,7 @@ use super::lower::Lowered;
 use super::names::{Scope, ident};
 use super::number::grouped;
 use crate::emit::escape::{one_line, rust_doc, rust_str};
-use crate::model::{EnumDef, EnumValue, Origin};
+use crate::model::{Entry, EnumDef, EnumId, EnumValue, Model, Origin};
 use crate::name::Case;
 
 pub(super) fn body(lowered: &Lowered<'_>) -> String {
@@ -15,7 +15,7 @@ pub(super) fn body(lowered: &Lowered<'_>) -> String {
     if !lowered.model.enums.is_empty() {
         out.push_str("use drivewright_runtime::prelude::*;\n");
     }
-    for ((_, table), meaning) in lowered.model.enums.iter().zip(&lowered.enums) {
+    for ((id, table), meaning) in lowered.model.enums.iter().zip(&lowered.enums) {
         let title = one_line(table.name.original());
         let _ = write!(
             out,
@@ -24,26 +24,42 @@ pub(super) fn body(lowered: &Lowered<'_>) -> String {
         );
         let _ =
             writeln!(out, "    pub struct {}({}) = \"{}\" {{", meaning.name, meaning.repr, rust_str(&title));
-        values(&mut out, table);
+        let users: Vec<&Entry> = users(id, lowered.model).collect();
+        values(&mut out, table, &users);
         out.push_str("    }\n}\n");
     }
     out
 }
 
-fn values(out: &mut String, table: &EnumDef) {
+/// The entries that are written with values of a table.
+fn users(table: EnumId, model: &Model) -> impl Iterator<Item = &Entry> {
+    let uses = move |e: &&Entry| e.values.as_ref().is_some_and(|v| v.value == table);
+    model.entries.as_slice().iter().filter(uses).filter(|e| e.access.value.writes())
+}
+
+fn values(out: &mut String, table: &EnumDef, users: &[&Entry]) {
     // The runtime's macro keeps `DESC` for the table.
     let mut scope = Scope::without(&["DESC"]);
     for value in &table.values {
-        out.push_str(&comment("        ", &[doc(value)]));
+        out.push_str(&comment("        ", &[doc(value, users)]));
         let name = scope.take(&ident(&value.name.value, Case::UpperSnake));
         let _ =
             writeln!(out, "        {name} = {} => \"{}\",", grouped(value.value), rust_str(&value.printed));
     }
 }
 
-fn doc(value: &EnumValue) -> String {
+fn doc(value: &EnumValue, users: &[&Entry]) -> String {
     let text = value.text.as_ref().map_or_else(String::new, |t| format!(" {}", rust_doc(t)));
-    format!("{}.{text}{}", rust_doc(&value.printed), source(&value.name.origin))
+    let refused = refused(value.value, users);
+    format!("{}{text}{}{refused}", rust_doc(&format!("{}.", value.printed)), source(&value.name.origin))
+}
+
+/// That no entry takes the value: tables come from a standard, too, and a drive has some of its values.
+fn refused(value: i128, users: &[&Entry]) -> String {
+    let lacks = |e: &&&Entry| e.allow.as_ref().is_some_and(|a| !a.value.contains(&value));
+    let by: Vec<String> = users.iter().filter(lacks).map(|e| e.address.to_string()).collect();
+    let nobody_takes_it = !by.is_empty() && by.len() == users.len();
+    if nobody_takes_it { format!(" Not allowed by {}.", by.join(", ")) } else { String::new() }
 }
 
 /// ` (4.2 L441)` where the manual says it, ` (standard: cia402)` where a base does.

@@ -25,21 +25,31 @@ pub(super) fn body(lowered: &Lowered<'_>) -> String {
     out
 }
 
-fn handle(out: &mut String, entry: &Entry, handle: &Handle, lowered: &Lowered<'_>) {
+fn handle(out: &mut String, entry: &Entry, handle: &Handle<'_>, lowered: &Lowered<'_>) {
     out.push('\n');
     out.push_str(&docs::comment("", &docs::entry(entry, lowered.model)));
     let index = entry.address.index;
     let _ = writeln!(out, "#[doc(alias = \"{index:04X}\")]");
     let Handle { name, ty, access, mapping, quantity, .. } = handle;
-    let value =
-        format!("Object::new(0x{index:04X}, 0x{:02X}){}{}", entry.address.sub, range(handle), scale(entry));
+    let value = format!(
+        "Object::new(0x{index:04X}, 0x{:02X}){}{}{}",
+        entry.address.sub,
+        range(handle),
+        allow(handle),
+        scale(entry)
+    );
     let start = format!("pub const {name}: Object<{ty}, {access}, {mapping}, {quantity}> =");
     // As rustfmt breaks it at 100 columns.
     let gap = if start.len() + value.len() + 2 > 100 { "\n    " } else { " " };
     let _ = writeln!(out, "{start}{gap}{value};");
 }
 
-fn range(handle: &Handle) -> String {
+fn allow(handle: &Handle<'_>) -> String {
+    let list: Vec<String> = handle.allow.iter().map(|n| grouped(*n)).collect();
+    if list.is_empty() { String::new() } else { format!(".allow(&[{}])", list.join(", ")) }
+}
+
+fn range(handle: &Handle<'_>) -> String {
     let Some((min, max)) = handle.range else { return String::new() };
     let side = |n: Option<i128>, none: &str| n.map_or_else(|| none.to_owned(), grouped);
     format!(".range({}, {})", side(min, "i64::MIN"), side(max, "i64::MAX"))

@@ -25,7 +25,7 @@ pub(super) fn layout(pdo: &Pdo) -> Diagnostic {
 }
 
 pub(super) fn limit(entry: &Entry) -> Diagnostic {
-    let text = format!("a limit of `{}` is above what 63 bits hold", entry.address);
+    let text = format!("a limit or listed value of `{}` is above what 63 bits hold", entry.address);
     Diagnostic::new(LIMIT, entry.ty.span(), text)
         .why("handles hold limits as i64; the table `MODEL` has the full value")
         .help("check values of this entry against `MODEL`")

@@ -12,7 +12,7 @@ use crate::name::Case;
 pub(super) struct Lowered<'m> {
     pub(super) model: &'m Model,
     /// One for each entry, in the order of the model.
-    pub(super) handles: Vec<Handle>,
+    pub(super) handles: Vec<Handle<'m>>,
     /// Type name of each value table, and the primitive below it.
     pub(super) enums: Vec<Meaning>,
     /// Type name of each bit table, and the primitive below it.
@@ -22,7 +22,7 @@ pub(super) struct Lowered<'m> {
 }
 
 /// A handle.
-pub(super) struct Handle {
+pub(super) struct Handle<'m> {
     pub(super) name: String,
     /// Type of its value: `u32`, `enums::ModeOfOperation`.
     pub(super) ty: String,
@@ -31,6 +31,8 @@ pub(super) struct Handle {
     pub(super) quantity: &'static str,
     /// Limits that a handle can hold.
     pub(super) range: Option<(Option<i128>, Option<i128>)>,
+    /// Listed values, where a handle can hold them all.
+    pub(super) allow: &'m [i128],
 }
 
 /// A type for named values or bits.
@@ -69,11 +71,11 @@ impl<'m> Lowered<'m> {
         lowered
     }
 
-    pub(super) fn handle_of(&self, entry: EntryId) -> &Handle {
+    pub(super) fn handle_of(&self, entry: EntryId) -> &Handle<'m> {
         &self.handles[entry.place()]
     }
 
-    fn handle(&self, entry: &Entry, sink: &mut Sink) -> Handle {
+    fn handle(&self, entry: &'m Entry, sink: &mut Sink) -> Handle<'m> {
         Handle {
             name: ident(&entry.handle, Case::UpperSnake),
             ty: self.value_type(entry, sink),
@@ -81,6 +83,7 @@ impl<'m> Lowered<'m> {
             mapping: mapping(entry.mapping.as_ref()),
             quantity: entry.unit.as_ref().map_or("Raw", |u| quantity(u.value.quantity)),
             range: range(entry, sink),
+            allow: allow(entry, sink),
         }
     }
 
@@ -245,6 +248,16 @@ fn range(entry: &Entry, sink: &mut Sink) -> Option<(Option<i128>, Option<i128>)>
     }
     let (min, max) = (min.filter(fits), max.filter(fits));
     (min.is_some() || max.is_some()).then_some((min, max))
+}
+
+/// Listed values as a handle holds them: i64. Half a list would refuse what the drive accepts.
+fn allow<'m>(entry: &'m Entry, sink: &mut Sink) -> &'m [i128] {
+    let list = entry.allow.as_ref().map_or(&[][..], |a| &a.value);
+    if list.iter().all(|n| i64::try_from(*n).is_ok()) {
+        return list;
+    }
+    sink.push(loss::limit(entry));
+    &[]
 }
 
 /// The `use` line for the modules that some of `types` are in.

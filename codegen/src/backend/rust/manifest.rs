@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::lower::Lowered;
 use super::{Module, items};
+use crate::backend::eds;
 use crate::emit::escape::{markdown, one_line};
 use crate::model::{Address, Model};
 
@@ -22,6 +23,7 @@ struct Context {
     entries: usize,
     alarms: usize,
     pdos: usize,
+    assumed: Vec<String>,
     errata: Vec<String>,
     identity: Vec<String>,
     example: Option<String>,
@@ -83,6 +85,7 @@ fn context(model: &Model) -> Context {
         entries: model.entries.len(),
         alarms: model.alarms.len(),
         pdos: model.pdos.len(),
+        assumed: eds::assumptions(model).iter().map(|text| markdown(text)).collect(),
         errata: model.errata.as_slice().iter().map(erratum).collect(),
         identity: [known(1, "vendor"), known(2, "product"), known(3, "revision")]
             .into_iter()

@@ -6,10 +6,7 @@ use crate::name::{Case, Name};
 
 /// `name` as an identifier in `case`: `N` before a leading digit, `_` after a keyword.
 pub(super) fn ident(name: &Name, case: Case) -> String {
-    let mut text = name.to_case(case);
-    if text.starts_with(|c: char| c.is_ascii_digit()) {
-        text.insert_str(0, if case == Case::Snake { "n" } else { "N" });
-    }
+    let mut text = name.to_identifier(case);
     if is_keyword(&text) {
         text.push('_');
     }

@@ -10,11 +10,13 @@ use drivewright_runtime::prelude::*;
 /// Only 0, 1, 5; default 5.
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const BAUD_RATE: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const BAUD_RATE: Object<u8, Rw, MapNotStated, Raw> =
+    Object::new(0x2000, 0x00).allow(&[0, 1, 5]);
 
 /// Direction, `2001:00`: INTEGER8, rw, mapping not stated.
 ///
 /// -1 to 1; only 1, -1; default -1.
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const DIRECTION: Object<i8, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00).range(-1, 1);
+pub const DIRECTION: Object<i8, Rw, MapNotStated, Raw> =
+    Object::new(0x2001, 0x00).range(-1, 1).allow(&[1, -1]);

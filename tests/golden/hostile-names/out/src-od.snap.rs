@@ -39,7 +39,7 @@ pub const SCRIPT_ALERT_1_SCRIPT_CO: Object<u16, Rw, MapNotStated, Raw> = Object:
 #[doc(alias = "2004")]
 pub const MINIJINJA_RAW_X_S: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2004, 0x00);
 
-/// \`code\` \*bold\* \_it\_ \[link\](http://x) \| cell \|, `2005:00`: UNSIGNED16, rw, mapping not stated.
+/// \`code\` \*bold\* \_it\_ \[link\](http\://x) \| cell \|, `2005:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 2 L6.
 #[doc(alias = "2005")]

@@ -26,11 +26,12 @@ const TARGET: Object<i32, Rw, Rx, UserPosition> = Object::new(0x607A, 0);
 const VELOCITY: Object<u32, Rw, RxTx, Velocity> = Object::new(0x6081, 0).range(0, 60_000).scale(1, 10);
 const PROBE: Object<I24, Rw, RxTx, Raw> = Object::new(0x2000, 0);
 const ENABLE: Object<bool, Rw, Unmapped, Raw> = Object::new(0x2001, 0);
+const OPTION: Object<i16, Rw, RxTx, Raw> = Object::new(0x605A, 0).range(0, 8).allow(&[0, 1, 5]);
 const NAME: Object<VisibleString, Const, Unmapped, Raw> = Object::new(0x1008, 0);
 
 pdo_layout! {
     /// What the drive receives.
-    pub struct Command: Rx, entries <= 4, bytes <= 16 {
+    pub struct Command: Rx, entries <= 5, bytes <= 16 {
         /// Controlword.
         controlword: Controlword = CONTROLWORD,
         /// Target position.
@@ -39,6 +40,8 @@ pdo_layout! {
         velocity: u32 = VELOCITY,
         /// Probe.
         probe: I24 = PROBE,
+        /// Option.
+        option: i16 = OPTION,
     }
 }
 
@@ -66,6 +69,7 @@ fn convert() {
 fn transfer(bytes: &mut [u8]) {
     black_box(VELOCITY.encode(black_box(70_000), bytes).is_ok());
     black_box(VELOCITY.decode(bytes).is_ok());
+    black_box(OPTION.encode(black_box(2), bytes).is_ok());
     black_box(PROBE.decode(bytes).is_ok());
     black_box(ENABLE.decode(bytes).is_ok());
     black_box(NAME.decode(bytes).is_ok_and(|t| t.as_str().is_ok()));
