@@ -134,7 +134,7 @@ fn a_value_that_the_row_drops_does_not_come_from_the_range() {
 
 /// A drive with the objects of a base: 6065:00 has `pdo = "rx"` there.
 fn on_a_base(errata: &str) -> Vec<Source> {
-    let object = r#"objects = [ { at = "6065:00", type = "u32", pdo = "tx", default = 5, src = "1 L3" } ]"#;
+    let object = r#"objects = [ { at = "6065:00", type = "u32", pdo = "tx", unit = "rev", default = 5, src = "1 L3" } ]"#;
     let drive = DRIVE.replace("id = \"x1\"", "id = \"x1\"\nbases = [\"cia402\"]");
     vec![
         Source { path: "drive.toml".into(), text: drive },

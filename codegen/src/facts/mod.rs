@@ -233,7 +233,7 @@ bits = [ { name = "ctl", bit = 1, width = 2, label = "run", src = "L4" } ]
 alarms = [ { display = "OF", number = 0x25, code = 0x8611, name = "Following", causes = ["a", "b"], esm = ["SafeOP", "OP"], esm_after = "kept", sync = "dc", al_status = 0x1A, led = "on", src = "L8" } ]
 pdo = [ { map = 0x1600, dir = "rx", pos = 1, entry = "2000:00", bits = 16, src = "L10" } ]
 homing = [
-  { method = 1, case = 1, start = "negative", approach = "home", reference = "home", side = "positive", edge = "rising", when = "home off", moves = "- fast until home on; latch", abort = "positive_limit on", mask = ["negative_limit"], text = "t", src = "L12" },
+  { method = 1, case = 1, start = "negative", approach = "home", reference = "home", side = "negative", edge = "rising", when = "home off", moves = "- fast until home on; latch", abort = "positive_limit on", mask = ["negative_limit"], text = "t", src = "L12" },
   { method = 1, case = 2, when = "home on", moves = "done", src = "L13" },
   { method = 2, same = 1, src = "L14" },
 ]
@@ -242,11 +242,14 @@ states = [ { name = "Fault", mask = 0x4F, value = 0x08, src = "L16" } ]
 commands = [ { name = "Reset", mask = 0x80, value = 0x80, edge = true, transitions = [15], src = "L17" } ]
 aborts = [ { code = 0x06020000, name = "No such object", src = "L18" } ]
 io = [ { terminal = "DI1", kind = "input", pin = 1, object = "2000:00", bit = 2, parameter = "P1", src = "L19" } ]
-sync_managers = [ { number = 2, use = "outputs", src = "L20" } ]
+sync_managers = [ { number = 0, use = "mailbox out", src = "L20" } ]
 fmmus = [ { number = 0, use = "outputs", src = "L21" } ]
-emcy = [ { byte = 0, bytes = 2, holds = "error code", src = "L22" } ]
+emcy = [ { byte = 0, bytes = 2, holds = "error code", src = "L22" }, { byte = 2, bytes = 6, holds = "reserved", src = "L22" } ]
 rules = [ { id = "R1", text = "r", require = "2000:00 > 0", when = "2010:01 == 1", on = "dc", src = "L23" } ]
-examples = [ { id = "X1", step = 1, write = "2010:01..02", entry = "2000:00", bits = 16, parameter = "P1", value = 0x2000, min = 0, max = 5, src = "L24" } ]
+examples = [
+  { id = "X1", entry = "2000:00", bits = 16, parameter = "P1", value = 0x20000010, src = "L24" },
+  { id = "X2", step = 1, write = "2000:00", min = 1, max = 5, src = "L25" },
+]
 errata = [ { id = "E1", at = "2000:00", field = "min", was = 0, seen = "4.2 L42", set = 1, by = "6.2 L12", why = "w", sure = "high" } ]
 [drive]
 format = 1
@@ -326,7 +329,7 @@ pdo_src = "L11"
         let columns = 5;
         assert_eq!((of("homing 1"), of("homing 2")), (1 + columns + 4 + 2, 1 + 1));
         assert_eq!((of("mode "), of("state "), of("command "), of("abort ")), (2, 2, 4, 1));
-        assert_eq!((of("terminal "), of("sync manager "), of("fmmu "), of("emcy ")), (5, 1, 1, 2));
+        assert_eq!((of("terminal "), of("sync manager "), of("fmmu "), of("emcy ")), (5, 1, 1, 2 * 2));
         assert_eq!((of("rule "), of("example ")), (4, 7));
         let detection = 5;
         assert_eq!(of("alarm "), 3 + 2 + detection);
