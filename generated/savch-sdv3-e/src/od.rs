@@ -269,9 +269,10 @@ pub const RXPDO2_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(
 
 /// Number of Mapped RxPDO3, `1602:00`: UNSIGNED8, rw, not mapped.
 ///
-/// 0 to 10.
-/// Note: The row is shifted by one cell in the text extract, and its default is lost: see E023. Two mapped objects are printed below it.
+/// 0 to 10; default 2.
+/// Note: The row is shifted by one cell in the text extract, and its default is lost: see E023.
 /// Manual: 6.1 T6-1 L1089.
+/// The default is inferred: two objects are mapped below it.
 ///
 /// Erratum E023, max: printed 10, kept. The row is shifted by one cell to the right in the text extract: the index stands under the sub-index, the range 0\~10 under the default, and the default is lost. In the rows below only the sub-index is out of place (L1090 to L1099). That the default is 2, as in the neighbours, follows from the two objects mapped; it is not printed.
 #[doc(alias = "1602")]
@@ -989,8 +990,10 @@ pub const SM_OUTPUT_SYNC_ERROR: Object<bool, Ro, Unmapped, Raw> = Object::new(0x
 
 /// SM input parameter, `1C33:00`: UNSIGNED8, ro, not mapped.
 ///
-/// Note: The row is shifted by one cell in the text extract, and its default is lost: see E024. The highest sub-index printed is 32.
+/// Default 32.
+/// Note: The row is shifted by one cell in the text extract, and its default is lost: see E024.
 /// Manual: 6.1 T6-1 L1188.
+/// The default is inferred: the highest sub-index that is printed.
 ///
 /// Erratum E024, access: printed "ro", kept. The row is shifted by one cell to the right in the text extract: RO stands under the PDO map, and the default is lost. In the rows below only the sub-index is out of place (L1189 to L1199). Its neighbour has 32.
 #[doc(alias = "1C33")]
