@@ -1,11 +1,13 @@
 //! `Cargo.toml`, `README.md` and `lib.rs` of the crate.
 
+use std::fmt::Write;
+
 use minijinja::{Environment, UndefinedBehavior};
-use quote::{format_ident, quote};
 use serde::Serialize;
 
+use super::Module;
+use super::docs::outcome;
 use super::lower::Lowered;
-use super::{Module, items};
 use crate::backend::eds;
 use crate::emit::escape::{markdown, one_line};
 use crate::model::{Address, Model};
@@ -61,13 +63,13 @@ fn context(model: &Model) -> Context {
     let drive = &model.drive;
     let manual = |m: &crate::model::Manual| format!("{}, {}", markdown(&m.title), markdown(&m.version));
     let erratum = |e: &crate::model::Erratum| {
-        let used = e.set.as_ref().map_or_else(|| "kept".to_owned(), |s| format!("used {}", markdown(s)));
         format!(
-            "**{}** {} `{}`: printed {}, {used} ({}). {}",
+            "**{}** {} `{}`: printed {}{} ({}). {}",
             markdown(&e.id),
             markdown(&e.at),
             e.field,
             markdown(&e.was),
+            outcome(e),
             e.sure.word(),
             markdown(&e.why)
         )
@@ -97,16 +99,19 @@ fn context(model: &Model) -> Context {
 
 /// The crate's root. Its documentation is the README, whose example is run as a test.
 pub(super) fn lib(preamble: &str, modules: &[Module]) -> String {
-    let names: Vec<_> = modules.iter().map(|m| format_ident!("{}", m.name)).collect();
-    let body = items::items(&quote! {
-        #![doc = include_str!("../README.md")]
-        #![no_std]
-        #![forbid(unsafe_code)]
-        #![deny(missing_docs)]
-        #![doc(html_no_source)]
-        // Rows are one fact a line, however long.
-        #(#[rustfmt::skip] pub mod #names;)*
-        pub use table::MODEL;
-    });
-    format!("{preamble}\n{body}")
+    let mut out = format!("{preamble}\n{ROOT}");
+    for module in modules {
+        let _ = write!(out, "\n#[rustfmt::skip]\npub mod {};\n", module.name);
+    }
+    out.push_str("\npub use table::MODEL;\n");
+    out
 }
+
+const ROOT: &str = "\
+#![doc = include_str!(\"../README.md\")]
+#![no_std]
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+// Without rustfmt, since tables have one fact a line, however long.
+";

@@ -1,7 +1,7 @@
 //! The typed `no_std` crate: const handles, tables, value types, process data layouts, alarms.
 //!
-//! [`lower`] decides names and types once; each other module writes one module of the output. Long lists are written row
-//! by row, already formatted; items that have structure go through `quote` and prettyplease.
+//! [`lower`] decides names and types once; each other module writes one module of the output, line by line and as rustfmt
+//! would, but for tables, which have a fact a line.
 
 mod alarms;
 mod bits;
@@ -16,6 +16,7 @@ mod manifest;
 mod names;
 mod number;
 mod table;
+mod values;
 
 use std::fmt::Write;
 
