@@ -28,6 +28,7 @@ struct Context {
     assumed: Vec<String>,
     errata: Vec<String>,
     identity: Vec<String>,
+    homing: usize,
     example: Option<String>,
 }
 
@@ -87,6 +88,7 @@ fn context(model: &Model) -> Context {
         entries: model.entries.len(),
         alarms: model.alarms.len(),
         pdos: model.pdos.len(),
+        homing: model.homing.len(),
         assumed: eds::assumptions(model).iter().map(|text| markdown(text)).collect(),
         errata: model.errata.as_slice().iter().map(erratum).collect(),
         identity: [known(1, "vendor"), known(2, "product"), known(3, "revision")]

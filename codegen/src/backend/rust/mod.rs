@@ -8,6 +8,7 @@ mod bits;
 mod docs;
 mod enums;
 mod handles;
+mod homing;
 mod items;
 mod layouts;
 mod loss;
@@ -74,7 +75,7 @@ struct Module {
 fn modules(lowered: &Lowered<'_>) -> Vec<Module> {
     let drive = escape::rust_doc(&lowered.model.drive.name);
     let module = |name, doc: &str, body| Module { name, doc: doc.replace("DRIVE", &drive), body };
-    vec![
+    let mut modules = vec![
         module(
             "od",
             "The object dictionary of the DRIVE: a typed handle for each entry.",
@@ -97,7 +98,13 @@ fn modules(lowered: &Lowered<'_>) -> Vec<Module> {
             "The DRIVE as data: every table, and `MODEL`, which holds them together.",
             table::body(lowered),
         ),
-    ]
+    ];
+    if !lowered.model.homing.is_empty() {
+        let doc = "Homing methods of the DRIVE as programs, each with where it starts and what it does.";
+        // `table` stays last: it holds all others together.
+        modules.insert(modules.len() - 1, module("homing", doc, homing::body(lowered)));
+    }
+    modules
 }
 
 /// The first lines of every file. No version, date or host: output is a function of the profile.

@@ -154,6 +154,9 @@ fn whole(model: &Model) -> String {
     for table in TABLES {
         let _ = write!(out, "\n.with_{}(&{table})", table.to_ascii_lowercase());
     }
+    if !model.homing.is_empty() {
+        out.push_str("\n.with_homing(&super::homing::HOMING)");
+    }
     out + ";\n" + TEST
 }
 
