@@ -25,7 +25,6 @@ const KNOWERS: &[(&str, &[&str])] = &[
     ("annotate_snippets", &["diag/render.rs"]),
     ("use ::toml", &["raw/toml.rs"]),
     ("minijinja", &["backend/rust"]),
-    ("prettyplease", &["backend/rust"]),
 ];
 
 /// The only files that may touch the file system or the environment.
