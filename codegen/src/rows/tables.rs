@@ -6,7 +6,7 @@ use super::address::At;
 use super::decode::{Decoder, FieldInfo, TableInfo};
 use super::define::{Visit, VisitMut, tables};
 use super::kind::FromRaw;
-use super::value::{Bit, Count, Date, Ident, Reason, Sha256, Text, Version, Width};
+use super::value::{Bit, Count, Date, Ident, Printed, Reason, Sha256, Text, Version, Width};
 use super::{Meta, Row};
 use crate::diag::Sink;
 use crate::model::{
@@ -74,7 +74,7 @@ tables! {
         /// Address: `607D:01`, `3000:01..63`, or `607D` for the index as a whole.
         at "at": required At,
         /// Name as printed.
-        name "name": optional Name,
+        name "name": optional Printed,
         /// Data type.
         ty "type": optional Type,
         /// SDO access.
@@ -97,7 +97,7 @@ tables! {
         bits "bits": optional Text,
         /// Variable, array or record; only for an index as a whole.
         kind "kind": optional ObjectKind,
-        /// The name that generated code uses, where the printed one clashes or starts with a digit.
+        /// The name that generated code uses, where the printed one clashes, starts with a digit or is in another script.
         rename "rename": optional Name,
         /// What it is for, in your own words.
         text "text": optional Text,
@@ -126,8 +126,8 @@ tables! {
         /// The value.
         value "value": required Count,
         /// The value's name.
-        label "label": required Name,
-        /// The name that generated code uses, where the printed one clashes or starts with a digit.
+        label "label": required Printed,
+        /// The name that generated code uses, where the printed one clashes, starts with a digit or is in another script.
         rename "rename": optional Name,
         /// What the value does, in your own words.
         text "text": optional Text,
@@ -149,8 +149,8 @@ tables! {
         /// The mode of operation (6060h) in which it has this meaning; every mode when left out.
         mode "mode": optional i8,
         /// The bit's name.
-        label "label": required Name,
-        /// The name that generated code uses, where the printed one clashes or starts with a digit.
+        label "label": required Printed,
+        /// The name that generated code uses, where the printed one clashes, starts with a digit or is in another script.
         rename "rename": optional Name,
         /// What it does, in your own words.
         text "text": optional Text,
@@ -171,8 +171,8 @@ tables! {
         /// Auxiliary code of the emergency message.
         aux "aux": optional u16,
         /// Its name.
-        name "name": required Name,
-        /// The name that generated code uses, where the printed one clashes or starts with a digit.
+        name "name": required Printed,
+        /// The name that generated code uses, where the printed one clashes, starts with a digit or is in another script.
         rename "rename": optional Name,
         /// How it is cleared.
         reset "reset": optional Reset,
@@ -418,7 +418,7 @@ tables! {
     ErratumRow in errata, key |row| { format!("erratum {}", row.id.value.0) } {
         /// Id, unique in the profile.
         id "id": required Text,
-        /// The row: `607D:01`, `alarm OF`, `pdo 1600:1`, `enum NAME=1`, `bits NAME.4`, `drive`.
+        /// The row: `607D:01`, `alarm OF` or `alarm OF 0x25`, `pdo 1600:1`, `enum NAME=1`, `bits NAME.4`, `drive`.
         at "at": required Text,
         /// The key of that row.
         field "field": required Text,
