@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 const EXIT_CODES: &str = "\
@@ -66,28 +66,7 @@ pub(crate) enum Command {
                             drivewright audit sdv3-e --manual sdv3-e.txt --record\n\n\
                             The manuals are their makers' and not part of the project. Without --manual the file is\n\
                             DRIVE.txt in the folder that DRIVEWRIGHT_MANUALS names.")]
-    Audit {
-        /// Id of a drive below `profiles/`, or the profile's folder.
-        drive: String,
-        /// The text extract.
-        #[arg(long)]
-        manual: Option<PathBuf>,
-        /// Id of the manual, where the profile has several.
-        #[arg(long)]
-        id: Option<String>,
-        /// List what is printed differently in several places.
-        #[arg(long)]
-        contradictions: bool,
-        /// List what is accepted without proof, too.
-        #[arg(long)]
-        accepted: bool,
-        /// Write the profile's `audit.toml` if nothing is left open.
-        #[arg(long)]
-        record: bool,
-        /// Print the result as one JSON object.
-        #[arg(long)]
-        json: bool,
-    },
+    Audit(AuditArguments),
     /// Counts, for each table of a drive, how many rows have which keys.
     #[command(after_help = "Example:\n  drivewright coverage sdv3-e")]
     Coverage {
@@ -109,6 +88,32 @@ pub(crate) enum Command {
         /// The shell.
         shell: Shell,
     },
+}
+
+/// What `audit` is asked for.
+#[derive(Args)]
+#[allow(clippy::struct_excessive_bools, reason = "flags of a command line")]
+pub(crate) struct AuditArguments {
+    /// Id of a drive below `profiles/`, or the profile's folder.
+    pub(crate) drive: String,
+    /// The text extract.
+    #[arg(long)]
+    pub(crate) manual: Option<PathBuf>,
+    /// Id of the manual, where the profile has several.
+    #[arg(long)]
+    pub(crate) id: Option<String>,
+    /// List what is printed differently in several places.
+    #[arg(long)]
+    pub(crate) contradictions: bool,
+    /// List what is accepted without proof, too.
+    #[arg(long)]
+    pub(crate) accepted: bool,
+    /// Write the profile's `audit.toml` if nothing is left open.
+    #[arg(long)]
+    pub(crate) record: bool,
+    /// Print the result as one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 /// How findings are printed.

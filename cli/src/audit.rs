@@ -10,20 +10,9 @@ use drivewright_codegen::model::{Manual, Model};
 use serde_json::json;
 
 use crate::End;
+use crate::arguments::AuditArguments;
 use crate::commands::{disk, print};
 use crate::drives::{Found, find};
-
-/// What the command line asks for.
-pub(crate) struct Asked<'a> {
-    pub(crate) drive: &'a str,
-    pub(crate) manual: Option<&'a Path>,
-    pub(crate) id: Option<&'a str>,
-    pub(crate) contradictions: bool,
-    pub(crate) accepted: bool,
-    pub(crate) record: bool,
-    pub(crate) json: bool,
-    pub(crate) quiet: bool,
-}
 
 /// Names the folder of text extracts.
 const MANUALS: &str = "DRIVEWRIGHT_MANUALS";
@@ -37,13 +26,13 @@ struct Reading<'a> {
     facts: Vec<FactLine<'a>>,
 }
 
-pub(crate) fn run(asked: &Asked<'_>) -> End {
-    match find(asked.drive).and_then(|found| read(&found, asked)) {
+pub(crate) fn run(asked: &AuditArguments, quiet: bool) -> End {
+    match find(&asked.drive).and_then(|found| read(&found, asked, quiet)) {
         Ok(end) | Err(end) => end,
     }
 }
 
-fn read(found: &Found, asked: &Asked<'_>) -> Result<End, End> {
+fn read(found: &Found, asked: &AuditArguments, quiet: bool) -> Result<End, End> {
     let Some(model) = found.compiled.model.as_ref() else { return Err(End::Findings) };
     let manual = manual(model, asked)?;
     let file = file(found, asked)?;
@@ -59,24 +48,23 @@ fn read(found: &Found, asked: &Asked<'_>) -> Result<End, End> {
         );
         return Err(End::Findings);
     }
-    Ok(Reading { found, model, manual, text, facts: facts(model) }.report(asked))
+    Ok(Reading { found, model, manual, text, facts: facts(model) }.report(asked, quiet))
 }
 
-fn manual<'m>(model: &'m Model, asked: &Asked<'_>) -> Result<&'m Manual, End> {
-    let wanted = |m: &&Manual| asked.id.is_none_or(|id| id == m.id);
-    match model.manuals.iter().filter(wanted).collect::<Vec<_>>().as_slice() {
-        [only] => Ok(only),
-        _ => {
-            let known: Vec<&str> = model.manuals.iter().map(|m| m.id.as_str()).collect();
-            eprintln!("error: name one manual with --id; known: {}", known.join(", "));
-            Err(End::Usage)
-        }
+fn manual<'m>(model: &'m Model, asked: &AuditArguments) -> Result<&'m Manual, End> {
+    let wanted = |m: &&Manual| asked.id.as_ref().is_none_or(|id| *id == m.id);
+    let wanted: Vec<&Manual> = model.manuals.iter().filter(wanted).collect();
+    if let [only] = wanted.as_slice() {
+        return Ok(only);
     }
+    let known: Vec<&str> = model.manuals.iter().map(|m| m.id.as_str()).collect();
+    eprintln!("error: name one manual with --id; known: {}", known.join(", "));
+    Err(End::Usage)
 }
 
-fn file(found: &Found, asked: &Asked<'_>) -> Result<PathBuf, End> {
-    if let Some(file) = asked.manual {
-        return Ok(file.to_owned());
+fn file(found: &Found, asked: &AuditArguments) -> Result<PathBuf, End> {
+    if let Some(file) = &asked.manual {
+        return Ok(file.clone());
     }
     let Some(folder) = std::env::var_os(MANUALS) else {
         eprintln!("error: name the text extract with --manual, or its folder in {MANUALS}");
@@ -86,7 +74,7 @@ fn file(found: &Found, asked: &Asked<'_>) -> Result<PathBuf, End> {
 }
 
 impl Reading<'_> {
-    fn report(&self, asked: &Asked<'_>) -> End {
+    fn report(&self, asked: &AuditArguments, quiet: bool) -> End {
         let rows = &self.found.compiled.rows;
         let Some(report) = audit(self.model, &self.facts, rows, &self.manual.id, &self.text) else {
             return End::Usage;
@@ -96,22 +84,25 @@ impl Reading<'_> {
         if asked.json {
             print(&format!("{}\n", json(&report, &differing, open)));
         } else {
-            self.say(asked, &report, &differing, open);
+            Self::list(asked, &report, &differing);
+            if !quiet {
+                self.sum_up(&report, &differing, open);
+            }
         }
         let end = if open == 0 { End::Fine } else { End::Findings };
         if asked.record { self.record(&report, end) } else { end }
     }
 
-    fn say(&self, asked: &Asked<'_>, report: &Report, differing: &[Contradiction], open: usize) {
+    fn list(asked: &AuditArguments, report: &Report, differing: &[Contradiction]) {
         for finding in report.findings.iter().filter(|f| asked.accepted || f.accepted.is_none()) {
             println!("{}", line(finding));
         }
         for one in differing.iter().filter(|c| asked.contradictions || !c.settled()) {
             println!("{}", side_by_side(one));
         }
-        if asked.quiet {
-            return;
-        }
+    }
+
+    fn sum_up(&self, report: &Report, differing: &[Contradiction], open: usize) {
         let totals = Totals::of(&self.facts);
         println!(
             "{}: {} facts: {} stated, {} inferred, {} standard, {} assumed",

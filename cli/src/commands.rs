@@ -8,10 +8,8 @@ use drivewright_codegen::backend::{self, Backend};
 use drivewright_codegen::check::LINTS;
 use drivewright_codegen::diag::{Code, Diagnostic, Severity, code, github, json, render};
 use drivewright_codegen::emit::FileSet;
-use drivewright_codegen::model::Model;
 use drivewright_codegen::sink::{self, Difference, SinkError, State};
-use drivewright_codegen::source::SourceMap;
-use drivewright_codegen::{compile, emit, load, schema};
+use drivewright_codegen::{Compiled, compile_folder, emit, schema};
 
 use crate::arguments::{Arguments, Command, Format};
 use crate::{End, audit, coverage};
@@ -26,19 +24,7 @@ pub(crate) fn run(arguments: &Arguments) -> End {
             build(folder, out, only, if *diff { Mode::Diff } else { mode }, *format, quiet)
         }
         Command::Explain { code } => explain(code),
-        Command::Audit { drive, manual, id, contradictions, accepted, record, json } => {
-            let asked = audit::Asked {
-                drive,
-                manual: manual.as_deref(),
-                id: id.as_deref(),
-                contradictions: *contradictions,
-                accepted: *accepted,
-                record: *record,
-                json: *json,
-                quiet,
-            };
-            audit::run(&asked)
-        }
+        Command::Audit(asked) => audit::run(asked, quiet),
         Command::Coverage { drives, json } => coverage::run(drives, *json),
         Command::Lints => print(&codes()),
         Command::Schema => print(&schema::profile_schema()),
@@ -63,64 +49,41 @@ pub(crate) fn disk(error: &dyn std::fmt::Display) -> End {
     End::Disk
 }
 
-/// A profile, compiled.
-struct Profile {
-    model: Option<Model>,
-    findings: Vec<Diagnostic>,
-    sources: SourceMap,
+fn end(compiled: &Compiled) -> End {
+    let has = |of: fn(&Diagnostic) -> bool| compiled.diagnostics.iter().any(of);
+    match has(|d| d.severity() == Severity::Error) {
+        _ if has(|d| d.code == code::FILE_MISSING) => End::Disk,
+        true => End::Findings,
+        false => End::Fine,
+    }
 }
 
-impl Profile {
-    fn load(folder: &Path) -> Self {
-        let loaded = load::folder(folder);
-        let readable = loaded.diagnostics.is_empty();
-        // Without any text the missing `drive` is no finding of its own.
-        let compiled =
-            if loaded.sources.is_empty() && !readable { None } else { Some(compile(loaded.sources)) };
-        let mut findings = loaded.diagnostics;
-        let Some(compiled) = compiled else {
-            return Self { model: None, findings, sources: SourceMap::default() };
-        };
-        let model = compiled.sound().filter(|_| readable).cloned();
-        findings.extend(compiled.diagnostics);
-        Self { model, findings, sources: compiled.sources }
-    }
-
-    fn end(&self) -> End {
-        let unreadable = |d: &Diagnostic| d.code == code::FILE_MISSING;
-        match self.findings.iter().any(|d| d.severity() == Severity::Error) {
-            _ if self.findings.iter().any(unreadable) => End::Disk,
-            true => End::Findings,
-            false => End::Fine,
+/// Prints the findings, and for people a summary of what they are.
+fn show(compiled: &Compiled, folder: &Path, format: Format, quiet: bool) {
+    let Compiled { diagnostics, sources, .. } = compiled;
+    let folder = folder.display().to_string().replace('\\', "/");
+    match format {
+        Format::Json => {
+            print(&json::lines(diagnostics, sources));
         }
-    }
-
-    /// Prints the findings, and for people a summary of what they are.
-    fn show(&self, folder: &Path, format: Format, quiet: bool) {
-        let folder = folder.display().to_string().replace('\\', "/");
-        match format {
-            Format::Json => {
-                print(&json::lines(&self.findings, &self.sources));
-            }
-            Format::Github => {
-                print(&github::commands(&self.findings, &self.sources, &folder));
-            }
-            Format::Human => {
-                eprint!("{}", render::text(&self.findings, &self.sources, style()));
-                if let Some(summary) = render::summary(&self.findings) {
-                    eprintln!("{folder}: {summary}; `drivewright explain CODE` tells more");
-                } else if let (Some(model), false) = (&self.model, quiet) {
-                    println!(
-                        "{folder}: {} {}: {} objects, {} entries, {} PDOs, {} alarms, {} errata, no findings",
-                        model.drive.vendor,
-                        model.drive.name,
-                        model.objects.len(),
-                        model.entries.len(),
-                        model.pdos.len(),
-                        model.alarms.len(),
-                        model.errata.len()
-                    );
-                }
+        Format::Github => {
+            print(&github::commands(diagnostics, sources, &folder));
+        }
+        Format::Human => {
+            eprint!("{}", render::text(diagnostics, sources, style()));
+            if let Some(summary) = render::summary(diagnostics) {
+                eprintln!("{folder}: {summary}; `drivewright explain CODE` tells more");
+            } else if let (Some(model), false) = (&compiled.model, quiet) {
+                println!(
+                    "{folder}: {} {}: {} objects, {} entries, {} PDOs, {} alarms, {} errata, no findings",
+                    model.drive.vendor,
+                    model.drive.name,
+                    model.objects.len(),
+                    model.entries.len(),
+                    model.pdos.len(),
+                    model.alarms.len(),
+                    model.errata.len()
+                );
             }
         }
     }
@@ -132,9 +95,9 @@ fn style() -> render::Style {
 }
 
 fn check(folder: &Path, format: Format, quiet: bool) -> End {
-    let profile = Profile::load(folder);
-    profile.show(folder, format, quiet);
-    profile.end()
+    let (compiled, _) = compile_folder(folder);
+    show(&compiled, folder, format, quiet);
+    end(&compiled)
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -145,11 +108,11 @@ enum Mode {
 }
 
 fn build(folder: &Path, out: &Path, only: &[String], mode: Mode, format: Format, quiet: bool) -> End {
-    let mut profile = Profile::load(folder);
-    let Some(model) = profile.model.take() else {
-        profile.show(folder, format, quiet);
+    let (mut compiled, _) = compile_folder(folder);
+    let Some(model) = compiled.sound().cloned() else {
+        show(&compiled, folder, format, quiet);
         eprintln!("nothing was written");
-        return profile.end();
+        return end(&compiled);
     };
     let chosen: Vec<&dyn Backend> = backend::ALL
         .iter()
@@ -157,8 +120,12 @@ fn build(folder: &Path, out: &Path, only: &[String], mode: Mode, format: Format,
         .filter(|b| only.is_empty() || only.iter().any(|id| id == b.id()))
         .collect();
     let (files, losses) = emit(&model, &chosen);
-    profile.findings.extend(losses);
-    profile.show(folder, format, true);
+    compiled.diagnostics.extend(losses);
+    show(&compiled, folder, format, true);
+    if compiled.sound().is_none() {
+        eprintln!("nothing was written");
+        return End::Findings;
+    }
     match deliver(&files, out, mode) {
         Ok(found) => told(&files, out, &found, mode, quiet),
         Err(error) => disk(&error),

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use drivewright_codegen::{Compiled, compile, diag, load};
+use drivewright_codegen::{Compiled, compile_folder, diag};
 
 use crate::End;
 
@@ -49,17 +49,11 @@ pub(crate) fn find(named: &str) -> Result<Found, End> {
 
 /// Compiles the profile in `folder`.
 pub(crate) fn open(folder: PathBuf) -> Result<Found, End> {
-    let loaded = load::folder(&folder);
-    let readable = loaded.diagnostics.is_empty();
-    let compiled = compile(loaded.sources);
-    match compiled.sound() {
-        Some(model) if readable => Ok(Found { id: model.drive.id.clone(), folder, compiled }),
-        _ => {
-            let count = loaded.diagnostics.len() + compiled.diagnostics.len();
-            let summary =
-                diag::render::summary(&compiled.diagnostics).unwrap_or_else(|| format!("{count} findings"));
-            eprintln!("error: {} has {summary}: run `drivewright check {0}`", folder.display());
-            Err(End::Findings)
-        }
+    let (compiled, _) = compile_folder(&folder);
+    if let Some(model) = compiled.sound() {
+        return Ok(Found { id: model.drive.id.clone(), folder, compiled });
     }
+    let summary = diag::render::summary(&compiled.diagnostics).unwrap_or_default();
+    eprintln!("error: {} has {summary}: run `drivewright check {0}`", folder.display());
+    Err(End::Findings)
 }

@@ -13,18 +13,16 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use crate::backend::rust;
+use crate::compile_folder;
 use crate::diag::{Diagnostic, Severity, Sink, render};
 use crate::sink::{self, SinkError};
 use crate::source::SourceMap;
-use crate::{compile, load};
 
 /// Compiles the profile in `folder`, given from the package's root, into `OUT_DIR/<vendor>_<drive>.rs`.
 ///
 /// ```no_run
-/// // build.rs
-/// fn main() {
-///     drivewright_codegen::build("profiles/acme/x1");
-/// }
+/// // The whole of `fn main` in build.rs:
+/// drivewright_codegen::build("profiles/acme/x1");
 /// ```
 ///
 /// ```ignore
@@ -35,6 +33,7 @@ use crate::{compile, load};
 /// ```
 ///
 /// Findings become errors and warnings of cargo. With an error the build script ends; nothing is written then.
+#[allow(clippy::needless_doctest_main, reason = "a build script has one")]
 pub fn build(folder: impl AsRef<Path>) {
     if Build::new().profile(folder).run().is_err() {
         // What is wrong has been said.
@@ -140,13 +139,11 @@ impl Build {
 /// Name and text of the file that the profile in `folder` gives, or the number of errors. Tells cargo what it reads and
 /// finds.
 fn one(folder: &Path) -> Result<(String, String), usize> {
-    let loaded = load::folder(folder);
-    for path in &loaded.read {
+    let (compiled, read) = compile_folder(folder);
+    for path in &read {
         println!("cargo::rerun-if-changed={}", path.display());
     }
-    let compiled = compile(loaded.sources);
-    let mut findings = loaded.diagnostics;
-    findings.extend(compiled.diagnostics.iter().cloned());
+    let mut findings = compiled.diagnostics.clone();
     let emitted = compiled.sound().map(|model| {
         let mut losses = Sink::default();
         let text = rust::single_file(model, &mut losses);

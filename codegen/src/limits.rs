@@ -6,6 +6,10 @@ pub const FILE_BYTES: usize = 8 << 20;
 pub const FILES: usize = 64;
 /// Bytes of an output path.
 pub const PATH_BYTES: usize = 200;
+/// Tables of one file, known or not.
+pub const TABLES: usize = 256;
+/// Keys of one row, known or not.
+pub const KEYS: usize = 64;
 /// Rows of one table in one file.
 pub const ROWS: usize = 100_000;
 /// Object entries of a drive after ranges are expanded.
@@ -14,6 +18,8 @@ pub const ENTRIES: usize = 100_000;
 pub const FINDINGS: usize = 10_000;
 /// Names that a message lists where none is near the one written.
 pub const SUGGESTIONS: usize = 24;
+/// Bytes of a value in a message.
+pub const BRIEF_BYTES: usize = 200;
 /// Bits of the widest object.
 pub const OBJECT_BITS: u8 = 64;
 /// Values of a list in one row.

@@ -99,6 +99,15 @@ impl Loaded {
     fn text(&mut self, path: &Path) {
         let most = u64::try_from(limits::FILE_BYTES).unwrap_or(u64::MAX);
         match fs::metadata(path) {
+            Ok(found) if !found.is_file() => {
+                let text = "it is a pipe, socket or device, not a file";
+                return self.finding(
+                    code::NOT_A_FILE,
+                    path,
+                    text,
+                    "put a file in its place, or name it otherwise",
+                );
+            }
             Ok(found) if found.len() > most => {
                 let text = format!("{} bytes, and a profile file has at most {most}", found.len());
                 return self.finding(code::FILE_TOO_LARGE, path, &text, "split the table");

@@ -84,9 +84,9 @@ pub fn check(files: &FileSet, folder: &Path) -> Result<Vec<Difference>, SinkErro
             continue;
         }
         let place = folder.join(path);
-        let old = fs::read(&place).map_err(failed("read", &place))?;
-        if old != bytes {
-            let line = Some(first_difference(&old, bytes));
+        let old = plain(&place).map_err(failed("read", &place))?;
+        if old.as_deref() != Some(bytes) {
+            let line = old.map(|old| first_difference(&old, bytes));
             found.push(Difference { path: path.to_owned(), state: State::Changed, line });
         }
     }
@@ -95,6 +95,11 @@ pub fn check(files: &FileSet, folder: &Path) -> Result<Vec<Difference>, SinkErro
     found.extend(orphans.map(|p| Difference { path: p.clone(), state: State::Orphaned, line: None }));
     found.sort();
     Ok(found)
+}
+
+/// The bytes of a file. What is none, such as a link or a pipe, is not read, and equal to nothing.
+fn plain(place: &Path) -> io::Result<Option<Vec<u8>>> {
+    if fs::symlink_metadata(place)?.is_file() { fs::read(place).map(Some) } else { Ok(None) }
 }
 
 /// Makes `folder` hold exactly `files`; returns what differed. Files that are already right are not touched.
@@ -116,13 +121,13 @@ pub fn write(files: &FileSet, folder: &Path) -> Result<Vec<Difference>, SinkErro
 
 /// Writes one file, whole or not at all, unless it holds these bytes already.
 pub fn write_file(place: &Path, bytes: &[u8]) -> Result<(), SinkError> {
-    if fs::read(place).is_ok_and(|old| old == bytes) { Ok(()) } else { replace(place, bytes) }
+    if plain(place).is_ok_and(|old| old.as_deref() == Some(bytes)) { Ok(()) } else { replace(place, bytes) }
 }
 
 /// What [`write()`] would change in the file at `path`, as a unified diff.
 #[cfg(feature = "diff")]
 pub fn unified(files: &FileSet, folder: &Path, path: &str) -> String {
-    let old = fs::read(folder.join(path)).unwrap_or_default();
+    let old = plain(&folder.join(path)).ok().flatten().unwrap_or_default();
     let (old, new) =
         (String::from_utf8_lossy(&old), String::from_utf8_lossy(files.get(path).unwrap_or_default()));
     let diff = similar::TextDiff::from_lines(old.as_ref(), new.as_ref());

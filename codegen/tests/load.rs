@@ -45,6 +45,18 @@ fn what_cannot_be_read_is_a_finding() {
     assert_eq!(loaded.sources.len(), 1, "the other file is still read");
 }
 
+/// Reading a pipe that nobody writes to would wait for ever.
+#[cfg(unix)]
+#[test]
+fn what_is_no_file_is_refused() {
+    let folder = folder("pipe", &[("b.toml", b"")]);
+    let made = std::process::Command::new("mkfifo").arg(folder.join("a.toml")).status();
+    assert!(made.expect("mkfifo").success());
+    let loaded = load::folder(&folder);
+    assert_eq!(codes(&loaded), ["E0009"]);
+    assert_eq!(loaded.sources.len(), 1, "the other file is still read");
+}
+
 #[test]
 fn a_file_that_is_too_large_is_not_read() {
     let folder = folder("large", &[]);

@@ -83,6 +83,21 @@ fn links_are_never_followed() {
     assert!(outside.join("kept.txt").exists() && !folder.join("link").exists());
 }
 
+/// A link in the place of a file is another thing than the file, whatever it leads to.
+#[cfg(unix)]
+#[test]
+fn a_link_is_no_file() {
+    let (outside, folder) = (folder("outside-file"), folder("link-to-file"));
+    fs::write(outside.join("kept.txt"), "same").expect("a file");
+    let set = set(&[("a.txt", "same")]);
+    std::os::unix::fs::symlink(outside.join("kept.txt"), folder.join("a.txt")).expect("a link");
+    assert_eq!(states(&sink::check(&set, &folder).expect("a comparison")), [("a.txt", State::Changed, None)]);
+    sink::write(&set, &folder).expect("written");
+    assert!(fs::symlink_metadata(folder.join("a.txt")).expect("a file").is_file());
+    assert!(sink::check(&set, &folder).expect("a comparison").is_empty());
+    assert!(fs::symlink_metadata(outside.join("kept.txt")).expect("a file").is_file());
+}
+
 /// Names the folder in the child that is to be killed.
 const CHILD: &str = "DRIVEWRIGHT_SINK_CHILD";
 

@@ -4,6 +4,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "a program, not a library: it reads, writes and measures time")]
 
+mod audits;
 mod judges;
 mod outcome;
 mod regen;

@@ -1,5 +1,6 @@
 //! Compiles every profile to every output. One line a drive.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -8,8 +9,7 @@ use drivewright_codegen::diag::{Diagnostic, Severity, render};
 use drivewright_codegen::emit::FileSet;
 use drivewright_codegen::schema::profile_schema;
 use drivewright_codegen::sink::{self, Difference, SinkError, State};
-use drivewright_codegen::source::SourceMap;
-use drivewright_codegen::{backend, compile, emit, load};
+use drivewright_codegen::{Compiled, backend, compile_folder, emit};
 
 use crate::{End, Options};
 
@@ -25,20 +25,21 @@ pub fn run(root: &Path, options: &Options) -> End {
         eprintln!("error: there is no drive `{drive}`; known: {}", known.join(", "));
         return End::Usage;
     }
+    let wrong = misplaced(&profiles);
+    if !wrong.is_empty() {
+        wrong.iter().for_each(|text| eprintln!("error: {text}"));
+        eprintln!("nothing was written");
+        return End::Findings;
+    }
     let mut end = End::Fine;
-    let mut packages = Vec::new();
-    for profile in &profiles {
-        let wanted = options.drives.is_empty() || options.drives.contains(&profile.id);
-        match self::profile(profile, root, options, wanted) {
-            Ok((package, one)) => {
-                packages.extend(package);
-                end = end.max(one);
-            }
+    for profile in profiles.iter().filter(|p| options.drives.is_empty() || options.drives.contains(&p.id)) {
+        match deliver(profile, root, options) {
+            Ok(one) => end = end.max(one),
             Err(error) => return disk(&error),
         }
     }
     if options.drives.is_empty() {
-        end = end.max(strays(root, &packages, options));
+        end = end.max(strays(root, &profiles, options));
         match schemas(root, options) {
             Ok(one) => end = end.max(one),
             Err(error) => return disk(&error),
@@ -74,24 +75,71 @@ fn disk(error: &dyn std::fmt::Display) -> End {
 }
 
 struct Profile {
+    /// `savch`
+    vendor: String,
     /// `sdv3-e`
     id: String,
-    folder: PathBuf,
+    compiled: Compiled,
 }
 
-/// Every `profiles/<vendor>/<drive>`, in path order.
+impl Profile {
+    /// The folder as people write it: `profiles/savch/sdv3-e`.
+    fn place(&self) -> String {
+        format!("profiles/{}/{}", self.vendor, self.id)
+    }
+
+    /// The package that it makes. Not known where an error hides the drive row.
+    fn package(&self) -> Option<&str> {
+        self.compiled.model.as_ref().map(|m| m.drive.package.as_str())
+    }
+}
+
+/// Every `profiles/<vendor>/<drive>`, in path order, compiled.
 fn profiles(root: &Path) -> std::io::Result<Vec<Profile>> {
     let mut found = Vec::new();
     for vendor in folders(&root.join("profiles"))? {
-        if vendor.file_name().is_some_and(|n| n == "standard") {
+        if name(&vendor) == "standard" {
             continue;
         }
         for folder in folders(&vendor)? {
-            let id = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            found.push(Profile { id, folder });
+            let (compiled, _) = compile_folder(&folder);
+            found.push(Profile { vendor: name(&vendor), id: name(&folder), compiled });
         }
     }
     Ok(found)
+}
+
+/// The id of every drive; none where the folder of profiles cannot be read, which `regen` reports.
+pub fn drives(root: &Path) -> Vec<String> {
+    profiles(root).unwrap_or_default().into_iter().map(|profile| profile.id).collect()
+}
+
+/// The last part of a path.
+fn name(folder: &Path) -> String {
+    folder.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// Profiles that are not where their ids say, or make the same package: one would overwrite what the other makes.
+fn misplaced(profiles: &[Profile]) -> Vec<String> {
+    let mut wrong = Vec::new();
+    let mut makers: BTreeMap<&str, &Profile> = BTreeMap::new();
+    for profile in profiles {
+        let (Some(package), Some(model)) = (profile.package(), &profile.compiled.model) else { continue };
+        let (place, id) = (profile.place(), &model.drive.id);
+        if *id != profile.id || package != format!("{}-{id}", profile.vendor) {
+            let vendor = package.strip_suffix(&format!("-{id}")).unwrap_or(package);
+            wrong.push(format!(
+                "{place} describes `{vendor}` `{id}`: move it to profiles/{vendor}/{id}, or correct the ids"
+            ));
+        }
+        if let Some(first) = makers.insert(package, profile) {
+            wrong.push(format!(
+                "{} and {place} both make generated/{package}: change an id of one",
+                first.place()
+            ));
+        }
+    }
+    wrong
 }
 
 fn folders(of: &Path) -> std::io::Result<Vec<PathBuf>> {
@@ -106,36 +154,17 @@ fn folders(of: &Path) -> std::io::Result<Vec<PathBuf>> {
     Ok(found)
 }
 
-/// Compiles one profile; gives the package's name, so that folders that no profile makes can be found.
-fn profile(
-    profile: &Profile,
-    root: &Path,
-    options: &Options,
-    wanted: bool,
-) -> Result<(Option<String>, End), SinkError> {
-    let loaded = load::folder(&profile.folder);
-    let compiled = compile(loaded.sources);
-    let mut findings = loaded.diagnostics;
-    findings.extend(compiled.diagnostics.iter().cloned());
-    let unreadable = findings.iter().any(|d| d.severity() == Severity::Error);
-    let package = compiled.model.as_ref().map(|m| m.drive.package.clone());
-    let (Some(model), false) = (compiled.sound(), unreadable) else {
-        if wanted {
-            show(profile, root, &findings, &compiled.sources);
-            eprintln!(
-                "{}: {}; nothing was written",
-                profile.id,
-                render::summary(&findings).unwrap_or_default()
-            );
-        }
-        return Ok((package, if wanted { End::Findings } else { End::Fine }));
-    };
-    if !wanted {
-        return Ok((package, End::Fine));
-    }
+/// Brings the files of one profile in line or compares them.
+fn deliver(profile: &Profile, root: &Path, options: &Options) -> Result<End, SinkError> {
+    let mut findings = profile.compiled.diagnostics.clone();
+    let Some(model) = profile.compiled.sound() else { return Ok(refuse(profile, &findings)) };
     let (files, losses) = emit(model, backend::ALL);
+    let failed = losses.iter().any(|d| d.severity() == Severity::Error);
     findings.extend(losses);
-    show(profile, root, &findings, &compiled.sources);
+    if failed {
+        return Ok(refuse(profile, &findings));
+    }
+    show(profile, &findings);
     let folder = root.join("generated").join(&model.drive.package);
     let found = if options.check || options.diff {
         sink::check(&files, &folder)?
@@ -158,16 +187,21 @@ fn profile(
             changes(&found, options)
         );
     }
-    Ok((package, end))
+    Ok(end)
 }
 
-fn show(profile: &Profile, root: &Path, findings: &[Diagnostic], sources: &SourceMap) {
+fn refuse(profile: &Profile, findings: &[Diagnostic]) -> End {
+    show(profile, findings);
+    eprintln!("{}: {}; nothing was written", profile.id, render::summary(findings).unwrap_or_default());
+    End::Findings
+}
+
+fn show(profile: &Profile, findings: &[Diagnostic]) {
     let style =
         render::Style { colour: std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none() };
-    let text = render::text(findings, sources, style);
+    let text = render::text(findings, &profile.compiled.sources, style);
     if !text.is_empty() {
-        let folder = profile.folder.strip_prefix(root).unwrap_or(&profile.folder);
-        eprintln!("in {}:\n{text}", folder.display().to_string().replace('\\', "/"));
+        eprintln!("in {}:\n{text}", profile.place());
     }
 }
 
@@ -208,12 +242,16 @@ fn place(folder: &Path) -> String {
 }
 
 /// Folders below `generated/` that no profile makes.
-fn strays(root: &Path, packages: &[String], options: &Options) -> End {
+fn strays(root: &Path, profiles: &[Profile], options: &Options) -> End {
+    let Some(packages) = profiles.iter().map(Profile::package).collect::<Option<Vec<_>>>() else {
+        eprintln!("generated/: no folder is removed: a profile that cannot be read may have made it");
+        return End::Fine;
+    };
     let Ok(found) = folders(&root.join("generated")) else { return End::Fine };
     let mut end = End::Fine;
     for folder in found {
-        let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        if packages.contains(&name) {
+        let name = name(&folder);
+        if packages.contains(&name.as_str()) {
             continue;
         }
         if options.check || options.diff {

@@ -5,7 +5,7 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 
 use crate::outcome::Outcome;
-use crate::{End, Options, judges, snapshots};
+use crate::{End, Options, audits, judges, regen, snapshots};
 
 /// A step that ran.
 pub struct Step {
@@ -30,6 +30,8 @@ pub fn run(root: &Path, options: &Options) -> End {
         });
     }
     step(&mut steps, "every snapshot is referenced", options, || snapshots::unreferenced(root));
+    let drives = regen::drives(root);
+    audits::run(root, &drives, options, &mut |name, audit| step(&mut steps, name, options, audit));
     judges::run(root, options, &mut |name, judge| step(&mut steps, name, options, judge));
     let skips = std::fs::read_to_string(skips(root)).unwrap_or_default();
     for (name, why) in skips.lines().filter_map(|l| l.split_once(": ")) {

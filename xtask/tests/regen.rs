@@ -93,6 +93,50 @@ fn a_profile_with_errors_changes_nothing() {
     assert_eq!(fs::read(root.join("generated/acme-x1/map.txt")).unwrap(), before);
 }
 
+/// What an unreadable profile makes is not known: nothing below `generated/` may be called a stray then.
+#[test]
+fn a_profile_that_cannot_be_read_does_not_lose_its_crate() {
+    let breaks: [fn(&Path); 3] = [
+        |folder| fs::write(folder.join("drive.toml"), drive().replace("format = 1", "format = = 1")).unwrap(),
+        |folder| fs::remove_file(folder.join("drive.toml")).unwrap(),
+        |folder| fs::write(folder.join("drive.toml"), [0xFF]).unwrap(),
+    ];
+    for (number, break_) in breaks.iter().enumerate() {
+        let root = checkout(&format!("unreadable-{number}"));
+        assert_eq!(regen(&root, &[]).0, 0);
+        break_(&root.join("profiles/acme/x1"));
+        let (code, out, err) = regen(&root, &["--check"]);
+        assert!(code == 1 && !out.contains("orphaned"), "{number}: {out}{err}");
+        let (code, out, err) = regen(&root, &[]);
+        assert!(code == 1 && err.contains("no folder is removed"), "{number}: {out}{err}");
+        assert!(root.join("generated/acme-x1/src/od.rs").exists(), "{number}: {out}{err}");
+    }
+}
+
+/// Two profiles of one package would overwrite each other, and the last would win in silence.
+#[test]
+fn a_profile_stands_where_its_ids_say_and_alone() {
+    let root = checkout("copied");
+    fs::create_dir_all(root.join("profiles/acme/x2")).unwrap();
+    fs::write(root.join("profiles/acme/x2/drive.toml"), drive()).unwrap();
+    let (code, out, err) = regen(&root, &[]);
+    assert!(code == 1 && err.contains("profiles/acme/x2 describes `acme` `x1`"), "{out}{err}");
+    assert!(err.contains("profiles/acme/x1 and profiles/acme/x2 both make generated/acme-x1"), "{out}{err}");
+    assert!(!root.join("generated").exists(), "{out}");
+    // The ids of these differ, and the package that they make does not.
+    let root = checkout("joined");
+    for (vendor, id) in [("a", "b-c"), ("a-b", "c")] {
+        let folder = root.join("profiles").join(vendor).join(id);
+        fs::create_dir_all(&folder).unwrap();
+        let text =
+            drive().replace("\"acme\"", &format!("\"{vendor}\"")).replace("\"x1\"", &format!("\"{id}\""));
+        fs::write(folder.join("drive.toml"), text).unwrap();
+    }
+    let (code, out, err) = regen(&root, &["--check"]);
+    assert!(code == 1 && !err.contains("describes"), "{out}{err}");
+    assert!(err.contains("profiles/a/b-c and profiles/a-b/c both make generated/a-b-c"), "{out}{err}");
+}
+
 #[test]
 fn an_unknown_drive_is_wrong_usage() {
     let root = checkout("unknown");

@@ -39,7 +39,6 @@ pub(super) fn shows(words: &Words<'_>, row: &Row<'_>, fact: &FactLine<'_>, line:
         Table::Terminals => terminal_shown(field, value, line),
         Table::EtherCat => device_shown(words, row, text),
         Table::Emcy => emcy_shown(words, row, field, value, line),
-        Table::Rules => false,
         Table::Examples => example_shown(field, value, text),
         _ => false,
     }
@@ -57,6 +56,9 @@ pub(super) fn proves_whole(
         (Table::Modes, "objects") => Some(objects_listed(&fact.value, lines)),
         (Table::Drive, _) => Some(lines.iter().any(|l| drive_shown(&fact.value, &l.text))),
         (Table::Rules, "require") => Some(constants_shown(&fact.value, &all())),
+        (Table::Examples, "value") => {
+            Some(example_shown("value", &fact.value, &without_address(row, &all())))
+        }
         (Table::Examples, field) => Some(example_shown(field, &fact.value, &all())),
         (Table::Homing, "when" | "moves" | "abort" | "mask") => Some(false),
         (Table::Emcy, _) => Some(lines.iter().any(|l| shows(words, row, fact, l))),
@@ -180,20 +182,23 @@ fn emcy_shown(words: &Words<'_>, row: &Row<'_>, field: &str, value: &str, line: 
 
 /// Every number of an expression but 0 and 1, and the index of every object, is in the text; times as `10ms` or `250 us`.
 fn constants_shown(expression: &str, text: &str) -> bool {
-    let words = expression.split(|c: char| !c.is_ascii_alphanumeric() && c != ':').filter(|w| !w.is_empty());
-    words.into_iter().all(|word| match word.split_once(':') {
-        Some((index, _)) => {
-            holds_word(text, index)
-                || holds_word(text, &format!("0x{index}"))
-                || holds_word(text, &format!("{index}h"))
-        }
-        None => {
-            let number = word
-                .strip_prefix("0x")
-                .map_or_else(|| word.parse().ok(), |h| i128::from_str_radix(h, 16).ok());
-            number.is_some_and(|n| n <= 1 || holds_number(text, n) || time_shown(text, n))
-        }
-    })
+    expression
+        .split(|c: char| !c.is_ascii_alphanumeric() && c != ':')
+        .filter(|word| !word.is_empty())
+        .all(|word| constant_shown(word, text))
+}
+
+fn constant_shown(word: &str, text: &str) -> bool {
+    if let Some((index, _)) = word.split_once(':') {
+        return [index.to_owned(), format!("0x{index}"), format!("{index}h")]
+            .iter()
+            .any(|w| holds_word(text, w));
+    }
+    let number = match word.strip_prefix("0x") {
+        Some(hex) => i128::from_str_radix(hex, 16).ok(),
+        None => word.parse().ok(),
+    };
+    number.is_some_and(|n| n <= 1 || holds_number(text, n) || time_shown(text, n))
 }
 
 /// Nanoseconds as a manual prints them.
@@ -224,6 +229,19 @@ fn example_shown(field: &str, value: &str, text: &str) -> bool {
         "parameter" => names_parameter(text, value),
         _ => number().is_some_and(|n| holds_number(text, n)),
     }
+}
+
+/// The text without the address that the example writes, whose numbers are not those of its value.
+fn without_address(row: &Row<'_>, text: &str) -> String {
+    let mut text = text.to_lowercase();
+    let address = row.value("write").unwrap_or_default().to_lowercase();
+    let (index, subs) = address.split_once(':').unwrap_or_default();
+    let forms = [format!("0x{index}"), format!("{index}h")];
+    let subs = subs.split("..").map(|sub| format!("0x{sub}h"));
+    for form in forms.into_iter().chain(subs).filter(|form| form.len() > 3) {
+        text = text.replacen(&form, "", 1);
+    }
+    text
 }
 
 /// A sub-index as `0x0ah`, `00` or decimal.

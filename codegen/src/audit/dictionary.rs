@@ -1,6 +1,6 @@
 //! Evidence for objects, values, bits, alarms and process data.
 
-use super::evidence::{Row, Words, holds_number, holds_word, names_parameter, same};
+use super::evidence::{Row, Words, holds_number, holds_word, names_parameter, same, same_letters};
 use super::number::{Number, Range, factor, keyed};
 use super::page::Line;
 use crate::facts::FactLine;
@@ -43,7 +43,7 @@ pub(super) fn object_shows(words: &Words<'_>, row: &Row<'_>, fact: &FactLine<'_>
     let (field, value) = (fact.field.as_ref(), fact.value.as_str());
     let unit = row.value("unit");
     match field {
-        "name" => line.cell("name").is_some_and(|cell| same(cell, value)),
+        "name" => line.cell("name").is_some_and(|cell| same_letters(cell, value)),
         "type" | "access" | "pdo" => line.cell(field).is_some_and(|cell| words.means(field, cell, value)),
         "unit" => line.cell("unit").is_some_and(|cell| words.means("unit", cell, value)),
         "min" | "max" | "allow" => {
@@ -180,7 +180,7 @@ pub(super) fn enum_shows(row: &Row<'_>, fact: &FactLine<'_>, line: &Line) -> boo
 
 pub(super) fn bit_shows(fact: &FactLine<'_>, line: &Line) -> bool {
     match fact.field.as_ref() {
-        "label" => line.cells.iter().any(|cell| same(cell, &fact.value)),
+        "label" => line.cells.iter().any(|cell| same_letters(cell, &fact.value)),
         "width" => {
             line.cells.iter().take(2).any(|cell| width(cell).is_some_and(|w| fact.value.parse() == Ok(w)))
         }
@@ -203,8 +203,8 @@ fn display<'f>(row: &Row<'f>) -> &'f str {
 }
 
 pub(super) fn alarm_anchors(words: &Words<'_>, row: &Row<'_>, line: &Line) -> bool {
-    line.cell("display") == Some(display(row))
-        || words.meanings("section", &line.section).any(|m| m == display(row))
+    let in_section = || words.meanings("section", &line.section).any(|m| m == display(row));
+    line.cell("display") == Some(display(row)) || line.cells.iter().any(|c| !c.is_empty()) && in_section()
 }
 
 pub(super) fn alarm_shows(words: &Words<'_>, fact: &FactLine<'_>, line: &Line) -> bool {

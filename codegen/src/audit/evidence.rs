@@ -122,10 +122,10 @@ impl<'a> Words<'a> {
     }
 }
 
-/// Whether the line prints, anywhere, the value that an erratum has taken from there.
+/// Whether the line prints, anywhere, the name that an erratum has taken from there.
 pub(super) fn corrects(fact: &FactLine<'_>, line: &Line) -> bool {
     fact.erratum.is_some()
-        && fact.value.chars().any(char::is_alphabetic)
+        && matches!(fact.field.as_ref(), "name" | "label")
         && letters(&line.text).contains(&letters(&fact.value))
 }
 
@@ -152,6 +152,11 @@ pub(super) fn is_worded(fact: &FactLine<'_>) -> bool {
 /// Equal but for case and blanks.
 pub(super) fn same(a: &str, b: &str) -> bool {
     letters(a) == letters(b)
+}
+
+/// Equal but for blanks, which extracts add and lose.
+pub(super) fn same_letters(a: &str, b: &str) -> bool {
+    a.split_whitespace().flat_map(str::chars).eq(b.split_whitespace().flat_map(str::chars))
 }
 
 /// A text without blanks, in lower case.

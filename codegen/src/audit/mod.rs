@@ -162,17 +162,23 @@ impl Auditor<'_> {
         if matches!(row.table, Table::Errata | Table::Manuals) {
             return;
         }
-        let mut lines: BTreeMap<u32, bool> = BTreeMap::new();
+        let (mut lines, mut twice) = (BTreeMap::<u32, bool>::new(), BTreeSet::new());
         for fact in &row.facts {
             let Some(Class::Stated | Class::Inferred(_)) = fact.class else { continue };
             let cited = fact.cite.map(|c| self.of.lines(c)).unwrap_or_default();
-            for line in &cited {
-                let helps = self.helps(row, fact, *line);
+            for (place, line) in cited.iter().enumerate() {
+                if cited[..place].contains(line) {
+                    twice.insert(*line);
+                }
+                let helps = self.helps(row, fact, *line, &cited);
                 *lines.entry(*line).or_insert(false) |= helps;
             }
             if matches!(fact.class, Some(Class::Stated)) {
                 self.fact(row, fact, &cited);
             }
+        }
+        for line in twice {
+            self.finding(Kind::IdleLine, row.key, &format!("L{line}"), "the citation names the line twice");
         }
         for line in lines.into_iter().filter(|(_, helps)| !helps).map(|(line, _)| line) {
             let text = self.page.line(line).map_or("there is no such line", |l| l.text.as_str());
@@ -180,10 +186,21 @@ impl Auditor<'_> {
         }
     }
 
-    /// Whether the line has to do with the row at all.
-    fn helps(&self, row: &Row<'_>, fact: &FactLine<'_>, line: u32) -> bool {
-        let Some(line) = self.page.line(line) else { return false };
-        self.words.anchors(row, line) || self.words.shows(row, fact, line) || evidence::corrects(fact, line)
+    /// Whether the line has to do with the row: it belongs to it, or shows a value that is not the same everywhere.
+    fn helps(&self, row: &Row<'_>, fact: &FactLine<'_>, line: u32, cited: &[u32]) -> bool {
+        let Some(found) = self.page.line(line) else { return false };
+        let telling = !matches!(fact.field.as_ref(), "type" | "access" | "pdo" | "unit");
+        self.words.anchors(row, found)
+            || evidence::corrects(fact, found)
+            || telling && self.words.shows(row, fact, found)
+            || self.is_part(row, fact, found, cited)
+    }
+
+    /// Whether the line has a part of a cell that the cited lines show together.
+    fn is_part(&self, row: &Row<'_>, fact: &FactLine<'_>, line: &page::Line, cited: &[u32]) -> bool {
+        let lines: Vec<&page::Line> = cited.iter().filter_map(|l| self.page.line(*l)).collect();
+        line.cell("range").or_else(|| line.cell("default")).is_some()
+            && dictionary::shows_split(&self.words, row, fact, &lines)
     }
 
     fn fact(&mut self, row: &Row<'_>, fact: &FactLine<'_>, cited: &[u32]) {
@@ -210,7 +227,7 @@ impl Auditor<'_> {
     }
 
     fn finding(&mut self, kind: Kind, at: &str, field: &str, what: &str) {
-        let accepted = self.exception(at, field);
+        let accepted = self.exception(at, field).filter(|_| kind != Kind::IdleException);
         let accepted = accepted.map(|place| {
             self.used.insert(place);
             self.rows.unproved[place].why.value.0.clone()
@@ -245,9 +262,10 @@ impl Auditor<'_> {
                         self.words.shows(row, &fact, l)
                     }
                 });
-                match shown {
-                    true => self.report.proved += 1,
-                    false => self.finding(Kind::Unproved, &key, &format!("was L{line}"), &erratum.was),
+                if shown {
+                    self.report.proved += 1;
+                } else {
+                    self.finding(Kind::Unproved, &key, &format!("was L{line}"), &erratum.was);
                 }
             }
         }

@@ -134,13 +134,14 @@ fn plain(text: &str) -> String {
     while let Some(start) = rest.find('<') {
         let (before, tag) = rest.split_at(start);
         out.push_str(before);
-        match tag.find('>').filter(|end| *end <= 5) {
-            Some(end) => rest = &tag[end + 1..],
-            None => {
-                out.push('<');
-                rest = &tag[1..];
-            }
-        }
+        // Marks are words; everything else is text with a `<`.
+        let mark = |end: &usize| tag[1..*end].chars().all(|c| c.is_ascii_alphabetic() || c == '/');
+        rest = if let Some(end) = tag.find('>').filter(mark) {
+            &tag[end + 1..]
+        } else {
+            out.push('<');
+            &tag[1..]
+        };
     }
     out.push_str(rest);
     out.replace("**", "").replace('\\', "")

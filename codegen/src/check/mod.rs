@@ -2,16 +2,23 @@
 
 mod citations;
 mod dictionary;
+mod ethercat;
+mod examples;
+mod homing;
 mod modes;
 mod names;
+mod parameters;
 mod process_data;
+mod rules;
+mod states;
 mod tables;
+mod terminals;
 mod value;
 
 use std::collections::BTreeSet;
 
 use crate::diag::{Code, Diagnostic, Sink, code};
-use crate::model::{Entry, Model, Pdo, PdoEntry, Type};
+use crate::model::{Entry, Fact, Model, Pdo, PdoEntry, Type};
 use crate::rows::tables::AllowRow;
 use crate::source::Span;
 
@@ -39,11 +46,13 @@ pub const LINTS: &[Lint] = &[
     value::bits_apart::LINT,
     value::limits_on_numbers::LINT,
     value::default_of_kind::LINT,
+    value::quantities_have_units::LINT,
     dictionary::count_is_u8::LINT,
     dictionary::count_is_highest::LINT,
     dictionary::count_present::LINT,
     dictionary::identity_present::LINT,
     dictionary::kind_fits_entries::LINT,
+    dictionary::device_type_whole::LINT,
     process_data::pdo_entry_mappable::LINT,
     process_data::pdo_bits_fit::LINT,
     process_data::pdo_fits_entries::LINT,
@@ -51,12 +60,34 @@ pub const LINTS: &[Lint] = &[
     process_data::pdo_entry_accessible::LINT,
     process_data::pdo_matches_object::LINT,
     process_data::pdo_positions_in_row::LINT,
+    process_data::pdo_fits_frame::LINT,
+    process_data::assigned_pdos_exist::LINT,
     modes::modes_agree::LINT,
+    modes::modes_listed::LINT,
+    modes::modes_have_objects::LINT,
     tables::tables_differ::LINT,
     tables::allowed_named::LINT,
     citations::facts_cited::LINT,
     citations::lines_in_manual::LINT,
     names::name_starts_with_letter::LINT,
+    homing::ends_at_home::LINT,
+    homing::edges_alternate::LINT,
+    homing::one_home::LINT,
+    homing::abort_not_awaited::LINT,
+    homing::columns_agree::LINT,
+    homing::cases_apart::LINT,
+    homing::methods_in_range::LINT,
+    homing::default_method_there::LINT,
+    examples::mapping_words_agree::LINT,
+    examples::writes_accepted::LINT,
+    parameters::parameters_in_place::LINT,
+    states::states_apart::LINT,
+    states::commands_fit::LINT,
+    ethercat::emcy_whole::LINT,
+    terminals::pins_differ::LINT,
+    terminals::terminal_parameter::LINT,
+    ethercat::sync_managers_whole::LINT,
+    rules::defaults_obey_rules::LINT,
 ];
 
 /// Runs every lint, then takes out the findings that the profile accepts with a reason.
@@ -94,6 +125,21 @@ fn idle(row: &AllowRow) -> Diagnostic {
 /// A finding of a lint. `message` names the row between backquotes.
 fn finding(code: Code, span: Span, message: String, why: &str, help: &str) -> Diagnostic {
     Diagnostic::new(code, span, message).why(why).help(help)
+}
+
+/// Whether an erratum set or explained a fact, so that its difference from another one is known.
+fn settled<T>(fact: &Fact<T>) -> bool {
+    fact.origin.erratum.is_some()
+}
+
+/// A fact that no erratum set or explained.
+fn unsettled<T>(fact: Option<&Fact<T>>) -> Option<&Fact<T>> {
+    fact.filter(|fact| !settled(fact))
+}
+
+/// Whether the drive names the base `name`.
+fn based_on(model: &Model, name: &str) -> bool {
+    model.drive.bases.iter().any(|base| base == name)
 }
 
 /// Whether `value` fits a whole-number type; `None` for other types.

@@ -60,6 +60,8 @@ codes! {
 
     MORE_ERRORS error "E0007" "there are more findings than a run keeps";
     MORE_WARNINGS warning "W0008" "there are more warnings than a run keeps";
+    NOT_A_FILE error "E0009" "what is named like a file is none";
+    WRITTEN_TWICE error "E0010" "drivewright writes two files to one place";
 
     SYNTAX error "E0101" "the text is not TOML";
     UNKNOWN_TABLE error "E0102" "no such table";
@@ -77,6 +79,10 @@ codes! {
     FLOAT error "E0114" "a number has a fraction";
     BAD_PROGRAM error "E0115" "a homing program cannot be read";
     BAD_EXPRESSION error "E0116" "an expression cannot be read";
+    BAD_ID error "E0117" "an id is not of lower-case letters, digits and `-`";
+    TOO_DEEP error "E0118" "values are nested too deep";
+    TOO_MANY_TABLES error "E0119" "a file has too many tables";
+    TOO_MANY_KEYS error "E0120" "a row has too many keys";
 
     UNKNOWN_BASE error "E0201" "no such base";
     DUPLICATE_ROW error "E0202" "two rows state the same thing";
@@ -88,6 +94,7 @@ codes! {
     DEVIATION_UNUSED error "E0208" "a deviation is declared where nothing deviates";
     DRIVE_ROWS error "E0209" "a profile has one drive";
     ALLOW_UNUSED error "E0210" "an allowance matches no finding";
+    TOO_MANY_BASES error "E0211" "a profile names too many bases";
 
     TYPE_UNKNOWN error "E0301" "nobody states the type of an object";
     ACCESS_UNKNOWN error "E0302" "nobody states the access of an object";
@@ -101,6 +108,9 @@ codes! {
     TOO_MANY_ENTRIES error "E0310" "a drive has too many entries";
     NAMED_FIELD error "E0311" "a row names a field that it does not have";
     HOMING_ROWS error "E0312" "the rows of a homing method do not go together";
+    TOO_MANY_MAPPED error "E0313" "a PDO has more entries than a mapping can count";
+    PDO_TOO_LONG error "E0314" "a PDO has more bytes than a frame can carry";
+    TOO_MANY_PDOS error "E0315" "a drive has too many PDOs";
 }
 
 #[cfg(test)]

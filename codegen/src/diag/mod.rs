@@ -128,10 +128,15 @@ pub struct Sink {
 impl Sink {
     /// Adds a finding.
     pub fn push(&mut self, diagnostic: Diagnostic) {
+        self.report(diagnostic.code, || diagnostic);
+    }
+
+    /// Adds a finding of `code`, which is made only if it is kept: for findings whose words take work.
+    pub fn report(&mut self, code: Code, diagnostic: impl FnOnce() -> Diagnostic) {
         if self.list.len() < limits::FINDINGS {
-            self.list.push(diagnostic);
+            self.list.push(diagnostic());
         } else {
-            self.more[diagnostic.severity() as usize] += 1;
+            self.more[code.severity() as usize] += 1;
         }
     }
 

@@ -1,10 +1,38 @@
 //! One escaping function for each output language. Text of a profile reaches an output through these and no other way.
 
-/// A character that could hide or reorder what a reader sees: controls, bidi marks, zero-width characters, tags.
+/// A character that could hide or reorder what a reader sees: controls, format characters such as bidi marks and tags, and
+/// all that fonts draw as nothing. These are the general category Cf and the property `Default_Ignorable_Code_Point` of
+/// Unicode, and the two separators of lines and paragraphs.
 pub fn is_hidden(c: char) -> bool {
-    c.is_control()
-        || matches!(c, '\u{AD}' | '\u{61C}' | '\u{180E}' | '\u{200B}'..='\u{200F}' | '\u{2028}'..='\u{202E}'
-            | '\u{2060}'..='\u{206F}' | '\u{FEFF}' | '\u{FFF9}'..='\u{FFFB}' | '\u{E0000}'..='\u{E0FFF}')
+    const HIDDEN: &[(char, char)] = &[
+        ('\u{AD}', '\u{AD}'),
+        ('\u{34F}', '\u{34F}'),
+        ('\u{600}', '\u{605}'),
+        ('\u{61C}', '\u{61C}'),
+        ('\u{6DD}', '\u{6DD}'),
+        ('\u{70F}', '\u{70F}'),
+        ('\u{890}', '\u{891}'),
+        ('\u{8E2}', '\u{8E2}'),
+        ('\u{115F}', '\u{1160}'),
+        ('\u{17B4}', '\u{17B5}'),
+        ('\u{180B}', '\u{180F}'),
+        ('\u{200B}', '\u{200F}'),
+        ('\u{2028}', '\u{202E}'),
+        ('\u{2060}', '\u{206F}'),
+        ('\u{3164}', '\u{3164}'),
+        ('\u{FE00}', '\u{FE0F}'),
+        ('\u{FEFF}', '\u{FEFF}'),
+        ('\u{FFA0}', '\u{FFA0}'),
+        ('\u{FFF0}', '\u{FFFB}'),
+        ('\u{110BD}', '\u{110BD}'),
+        ('\u{110CD}', '\u{110CD}'),
+        ('\u{13430}', '\u{1343F}'),
+        ('\u{1BCA0}', '\u{1BCA3}'),
+        ('\u{1D173}', '\u{1D17A}'),
+        ('\u{E0000}', '\u{E0FFF}'),
+    ];
+    let next = HIDDEN.partition_point(|(_, last)| *last < c);
+    c.is_control() || HIDDEN.get(next).is_some_and(|(first, _)| *first <= c)
 }
 
 /// One line without hidden characters: each run of them becomes a blank.

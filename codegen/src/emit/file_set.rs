@@ -1,5 +1,6 @@
 //! The files that a run would write.
 
+use std::borrow::Borrow;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -60,27 +61,68 @@ impl fmt::Display for RelPath {
     }
 }
 
+impl Borrow<str> for RelPath {
+    fn borrow(&self) -> &str {
+        &self.0
+    }
+}
+
+/// Why a file was not added.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum AddError {
+    /// The path is none.
+    Path(PathError),
+    /// There is a file at that path already.
+    Taken(RelPath),
+}
+
+impl fmt::Display for AddError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Path(error) => error.fmt(f),
+            Self::Taken(path) => write!(f, "`{path}` is written twice"),
+        }
+    }
+}
+
+impl std::error::Error for AddError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Path(error) => Some(error),
+            Self::Taken(_) => None,
+        }
+    }
+}
+
 /// Files by path, in path order.
 #[derive(Clone, Default, PartialEq, Eq, Debug)]
 pub struct FileSet {
     files: BTreeMap<RelPath, Vec<u8>>,
+    /// Paths at which a second file was refused.
+    taken: Vec<RelPath>,
 }
 
 impl FileSet {
-    /// Adds a file; a second one at the same path replaces the first.
-    pub fn insert(&mut self, path: RelPath, bytes: impl Into<Vec<u8>>) {
+    /// Adds a file whose path the caller wrote as a literal or built from a checked id. The first file at a path stays.
+    pub fn add(&mut self, path: impl Into<String>, bytes: impl Into<Vec<u8>>) -> Result<(), AddError> {
+        let path = RelPath::new(path).map_err(AddError::Path)?;
+        if self.files.contains_key(&path) {
+            self.taken.push(path.clone());
+            return Err(AddError::Taken(path));
+        }
         self.files.insert(path, bytes.into());
+        Ok(())
     }
 
-    /// Adds a file whose path the caller wrote as a literal or built from a checked id.
-    pub fn add(&mut self, path: impl Into<String>, bytes: impl Into<Vec<u8>>) -> Result<(), PathError> {
-        self.insert(RelPath::new(path)?, bytes);
-        Ok(())
+    /// Paths at which a second file was refused, whether or not the caller listened.
+    pub fn taken(&self) -> &[RelPath] {
+        &self.taken
     }
 
     /// The bytes of a file.
     pub fn get(&self, path: &str) -> Option<&[u8]> {
-        self.files.iter().find(|(p, _)| p.as_str() == path).map(|(_, b)| b.as_slice())
+        self.files.get(path).map(Vec::as_slice)
     }
 
     /// Every file in path order.
@@ -97,13 +139,6 @@ impl FileSet {
     pub fn is_empty(&self) -> bool {
         self.files.is_empty()
     }
-
-    /// Moves every file of `other` below `folder`.
-    pub fn nest(&mut self, folder: &RelPath, other: Self) {
-        for (path, bytes) in other.files {
-            self.files.insert(RelPath(format!("{folder}/{path}")), bytes);
-        }
-    }
 }
 
 #[cfg(test)]
@@ -116,5 +151,15 @@ mod tests {
             assert!(RelPath::new(bad).is_err(), "{bad}");
         }
         assert!(RelPath::new("eds/sdv3-e.eds").is_ok());
+    }
+
+    #[test]
+    fn a_second_file_at_a_path_is_refused() {
+        let mut files = FileSet::default();
+        assert_eq!(files.add("a", "first"), Ok(()));
+        assert!(matches!(files.add("a", "second"), Err(AddError::Taken(path)) if path.as_str() == "a"));
+        assert!(matches!(files.add("../a", ""), Err(AddError::Path(_))));
+        assert_eq!((files.get("a"), files.get("b")), (Some(&b"first"[..]), None));
+        assert_eq!(files.taken().len(), 1);
     }
 }

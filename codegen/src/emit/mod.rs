@@ -3,4 +3,4 @@
 pub mod escape;
 pub mod file_set;
 
-pub use file_set::{FileSet, PathError, RelPath};
+pub use file_set::{AddError, FileSet, PathError, RelPath};

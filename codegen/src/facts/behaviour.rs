@@ -98,7 +98,9 @@ pub(super) fn example<'m>(example: &'m Example, lines: &mut Lines<'m>) {
     lines.fact("entry", example.entry.as_ref(), Address::to_string);
     lines.fact("bits", example.bits.as_ref(), u8::to_string);
     lines.fact("parameter", example.parameter.as_ref(), Clone::clone);
-    lines.fact("value", example.value.as_ref(), |n| format!("0x{n:X}"));
+    // Mapping words are read by their digits; a number below 0 has none.
+    let digits = |n: &i128| if *n < 0 { n.to_string() } else { format!("0x{n:X}") };
+    lines.fact("value", example.value.as_ref(), digits);
     lines.fact("min", example.min.as_ref(), i128::to_string);
     lines.fact("max", example.max.as_ref(), i128::to_string);
     lines.own_text("text", example.text.as_ref());

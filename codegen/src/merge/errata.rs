@@ -20,10 +20,10 @@ pub(super) fn apply(rows: &mut Rows, sink: &mut Sink) {
     let found = fixing.found;
     let mut keys = Keys::default();
     rows.visit(&mut keys);
-    let Keys(keys) = keys;
+    let known: Vec<&str> = keys.0.iter().map(String::as_str).collect();
     for (erratum, found) in errata.iter().zip(found).filter(|(_, found)| *found != 1) {
         if !rows.left_out.contains(&normal(&erratum.at.value.0)) {
-            target(erratum, found, &keys, sink);
+            target(erratum, found, &known, sink);
         }
     }
     rows.errata = errata;
@@ -53,17 +53,19 @@ impl Visit<'_> for Keys {
     }
 }
 
-fn target(erratum: &ErratumRow, found: usize, keys: &[String], sink: &mut Sink) {
+fn target(erratum: &ErratumRow, found: usize, known: &[&str], sink: &mut Sink) {
     let at = &erratum.at.value.0;
-    let known: Vec<&str> = keys.iter().map(String::as_str).collect();
-    let (message, why, help) = if found == 0 {
-        let why = "a correction that matches nothing has been overtaken, or never worked";
-        (format!("no row `{at}`"), why, suggest(at, &known))
-    } else {
-        let why = "a correction must say which row it corrects";
-        (format!("{found} rows are `{at}`"), why, "make the rows differ, or remove the erratum".to_owned())
+    let finding = |message, why, help| {
+        Diagnostic::new(code::ERRATUM_TARGET, erratum.at.span, message).why(why).help(help)
     };
-    sink.push(Diagnostic::new(code::ERRATUM_TARGET, erratum.at.span, message).why(why).help(help));
+    sink.report(code::ERRATUM_TARGET, || {
+        if found == 0 {
+            let why = "a correction that matches nothing has been overtaken, or never worked";
+            return finding(format!("no row `{at}`"), why, suggest(at, known));
+        }
+        let help = "make the rows differ, or remove the erratum".to_owned();
+        finding(format!("{found} rows are `{at}`"), "a correction must say which row it corrects", help)
+    });
 }
 
 struct Fixing<'a> {
@@ -105,8 +107,8 @@ impl Fixer<'_> {
             return;
         }
         let field = self.erratum.field.value.0.clone();
-        let mut fixes = row.meta().fixes.clone();
-        fixes.push(Fix { key: field.clone(), erratum: self.place, set: self.changes() });
+        // Kept before the new value is looked at: a wrong one is reported once, however many errata set it.
+        row.meta_mut().add_fix(field.clone(), Fix { erratum: self.place, set: self.changes() });
         if self.changes() {
             let mut raw = row.meta().raw.clone();
             match &self.erratum.set {
@@ -114,10 +116,10 @@ impl Fixer<'_> {
                 None => raw.unset(&field),
             }
             // What is wrong with the new value is reported at the erratum, where it stands.
-            let Some(corrected) = R::decode(raw, sink) else { return };
+            let Some(mut corrected) = R::decode(raw, sink) else { return };
+            corrected.meta_mut().fixes = std::mem::take(&mut row.meta_mut().fixes);
             *row = corrected;
         }
-        row.meta_mut().fixes = fixes;
     }
 
     fn field_exists(&self, fields: impl Iterator<Item = &'static str>, table: &str, sink: &mut Sink) -> bool {
@@ -148,17 +150,15 @@ impl Fixer<'_> {
         if found.is_some_and(|f| f.value == was.value) {
             return true;
         }
-        let shown = found.map_or_else(|| "not stated".to_owned(), |f| f.value.to_string());
-        sink.push(
-            Diagnostic::new(
-                code::ERRATUM_WAS,
-                was.span,
-                format!("`{}` of `{}` is {shown}, and the erratum expects {}", field, row.key(), was.value),
-            )
-            .related(found.map_or(row.meta().span(), |f| f.span), "the row says this")
-            .why("an erratum holds for the printed value that it was written against, and for no other")
-            .help("look at the manual again: correct `was`, or remove the erratum"),
-        );
+        sink.report(code::ERRATUM_WAS, || {
+            let shown = found.map_or_else(|| "not stated".to_owned(), |f| f.value.brief());
+            let wanted = was.value.brief();
+            let text = format!("`{field}` of `{}` is {shown}, and the erratum expects {wanted}", row.key());
+            Diagnostic::new(code::ERRATUM_WAS, was.span, text)
+                .related(found.map_or(row.meta().span(), |f| f.span), "the row says this")
+                .why("an erratum holds for the printed value that it was written against, and for no other")
+                .help("look at the manual again: correct `was`, or remove the erratum")
+        });
         false
     }
 

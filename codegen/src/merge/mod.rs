@@ -103,7 +103,7 @@ fn bases(rows: &Rows, sources: &mut SourceMap, sink: &mut Sink) -> Vec<Base> {
     if named.value.len() > limits::BASES {
         let text = format!("{} bases", named.value.len());
         sink.push(
-            Diagnostic::new(code::TOO_LONG, named.span, text)
+            Diagnostic::new(code::TOO_MANY_BASES, named.span, text)
                 .why(format!("a profile names at most {}", limits::BASES))
                 .help("remove those whose objects the drive does not have"),
         );

@@ -15,7 +15,7 @@ impl Model {
     pub fn row_origins(&self) -> Vec<RowOrigins<'_>> {
         let mut rows = vec![RowOrigins { row: "drive".to_owned(), origins: limits(self) }];
         rows.extend(
-            self.entries.iter().map(|(_, e)| RowOrigins { row: e.address.to_string(), origins: entry(e) }),
+            self.entries.iter().map(|(_, e)| RowOrigins { row: e.address.to_string(), origins: e.origins() }),
         );
         for (_, table) in self.enums.iter() {
             rows.extend(table.values.iter().map(|v| RowOrigins {
@@ -78,9 +78,9 @@ fn homing(method: &HomingMethod) -> Vec<&Origin> {
     columns.into_iter().chain(cases).flatten().collect()
 }
 
-/// Rows of the small tables.
+/// Rows of the small tables, with the origins of the values that they may have.
 fn behaviour(model: &Model) -> impl Iterator<Item = (String, Vec<Option<&Origin>>)> {
-    let modes = model
+    let by_mode = model
         .modes
         .iter()
         .map(|m| (format!("mode {}", m.number), vec![Some(&m.name.origin), origin(m.objects.as_ref())]));
@@ -130,7 +130,7 @@ fn behaviour(model: &Model) -> impl Iterator<Item = (String, Vec<Option<&Origin>
         ];
         (format!("example {}", e.label()), facts)
     });
-    modes
+    by_mode
         .chain(states)
         .chain(commands)
         .chain(aborts)
@@ -155,18 +155,21 @@ fn limits(model: &Model) -> Vec<&Origin> {
         .collect()
 }
 
-fn entry(e: &Entry) -> Vec<&Origin> {
-    [&e.name.origin, &e.ty.origin, &e.access.origin]
-        .into_iter()
-        .chain(origin(e.mapping.as_ref()))
-        .chain(origin(e.unit.as_ref()))
-        .chain(origin(e.min.as_ref()))
-        .chain(origin(e.max.as_ref()))
-        .chain(origin(e.allow.as_ref()))
-        .chain(origin(e.default.as_ref()))
-        .chain(origin(e.values.as_ref()))
-        .chain(origin(e.bits.as_ref()))
-        .chain(origin(e.parameter.as_ref()))
-        .chain(origin(e.effect.as_ref()))
-        .collect()
+impl Entry {
+    /// One for each value that it has.
+    pub fn origins(&self) -> Vec<&Origin> {
+        [&self.name.origin, &self.ty.origin, &self.access.origin]
+            .into_iter()
+            .chain(origin(self.mapping.as_ref()))
+            .chain(origin(self.unit.as_ref()))
+            .chain(origin(self.min.as_ref()))
+            .chain(origin(self.max.as_ref()))
+            .chain(origin(self.allow.as_ref()))
+            .chain(origin(self.default.as_ref()))
+            .chain(origin(self.values.as_ref()))
+            .chain(origin(self.bits.as_ref()))
+            .chain(origin(self.parameter.as_ref()))
+            .chain(origin(self.effect.as_ref()))
+            .collect()
+    }
 }

@@ -4,6 +4,9 @@
 
 pub mod toml;
 
+use std::fmt::{self, Write};
+
+use crate::limits;
 use crate::source::{Sp, Span};
 
 /// What a value can be. There are no floating-point numbers: a profile is exact.
@@ -35,17 +38,45 @@ impl RawValue {
             Self::Reported => "a value that cannot be read",
         }
     }
+
+    /// As written, for messages: a long value is cut, however long it is.
+    pub fn brief(&self) -> String {
+        let mut brief = Brief(String::new());
+        if write!(brief, "{self}").is_err() {
+            brief.0.push_str("...");
+        }
+        brief.0
+    }
 }
 
-impl std::fmt::Display for RawValue {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+/// Takes what is written to it until it is full.
+struct Brief(String);
+
+impl Write for Brief {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        for c in text.chars() {
+            if self.0.len() >= limits::BRIEF_BYTES {
+                return Err(fmt::Error);
+            }
+            self.0.push(c);
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for RawValue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Text(t) => write!(f, "{t:?}"),
             Self::Int(n) => write!(f, "{n}"),
             Self::Bool(b) => write!(f, "{b}"),
             Self::List(items) => {
-                let items: Vec<String> = items.iter().map(|i| i.value.to_string()).collect();
-                write!(f, "[{}]", items.join(", "))
+                f.write_str("[")?;
+                for (place, item) in items.iter().enumerate() {
+                    let comma = if place == 0 { "" } else { ", " };
+                    write!(f, "{comma}{}", item.value)?;
+                }
+                f.write_str("]")
             }
             Self::Other(_) | Self::Reported => f.write_str(self.kind()),
         }

@@ -8,7 +8,7 @@ use ::toml::Spanned;
 use ::toml::de::{DeArray, DeInteger, DeTable, DeValue};
 
 use super::{RawField, RawRow, RawTable, RawValue};
-use crate::diag::{Diagnostic, Sink, code};
+use crate::diag::{Code, Diagnostic, Sink, code};
 use crate::limits;
 use crate::source::{FileId, SourceMap, Sp, Span};
 
@@ -19,13 +19,22 @@ pub fn read(file: FileId, sources: &SourceMap, sink: &mut Sink) -> Vec<RawTable>
     for error in errors {
         let span = error.span().unwrap_or(0..0);
         reader.broken.push(span.clone());
-        let finding = Diagnostic::new(code::SYNTAX, Span::new(file, span), error.message())
-            .why("the file must be TOML 1.0 before any of it can be trusted")
-            .help("correct the text at the marked place; the row that holds it was left out of this run");
-        reader.sink.push(finding);
+        reader.sink.push(syntax(Span::new(file, span), error.message()));
     }
     reader.broken.sort_by_key(|b| (b.end, b.start));
     reader.tables(root.get_ref())
+}
+
+/// What the parser says. It goes down a fixed number of levels and names no kind of error but in words.
+fn syntax(span: Span, message: &str) -> Diagnostic {
+    if message.contains("recurs") {
+        return Diagnostic::new(code::TOO_DEEP, span, "values are nested too deep")
+            .why("a table holds rows, a row holds values, and a value is at most a list")
+            .help("write each fact as a row of its own");
+    }
+    Diagnostic::new(code::SYNTAX, span, message)
+        .why("the file must be TOML 1.0 before any of it can be trusted")
+        .help("correct the text at the marked place; the row that holds it was left out of this run")
 }
 
 struct Reader<'a> {
@@ -41,6 +50,10 @@ impl Reader<'_> {
 
     fn tables(&mut self, root: &DeTable<'_>) -> Vec<RawTable> {
         let mut tables = Vec::new();
+        if root.len() > limits::TABLES {
+            self.too_many(code::TOO_MANY_TABLES, 0..0, &format!("the file has {} tables", root.len()));
+            return tables;
+        }
         for (key, value) in in_order(root) {
             let name = Sp::new(key.get_ref().to_string(), self.span(key.span()));
             let rows = match value.get_ref() {
@@ -72,11 +85,7 @@ impl Reader<'_> {
         let mut rows = Vec::with_capacity(items.len());
         if items.len() > limits::ROWS {
             let text = format!("table `{}` has {} rows", name.value, items.len());
-            self.sink.push(
-                Diagnostic::new(code::TOO_MANY_ROWS, name.span, text)
-                    .why(format!("a table holds at most {} rows", limits::ROWS))
-                    .help("split the drive, or remove rows that repeat a fact"),
-            );
+            self.too_many(code::TOO_MANY_ROWS, name.span.range(), &text);
             return rows;
         }
         for item in items {
@@ -86,6 +95,21 @@ impl Reader<'_> {
             }
         }
         rows
+    }
+
+    /// More than a file, table or row may hold. What is in it is not looked at.
+    fn too_many(&mut self, code: Code, span: Range<usize>, text: &str) {
+        let (most, help) = match code {
+            code::TOO_MANY_TABLES => (limits::TABLES, "put the rows of one kind into one table"),
+            code::TOO_MANY_KEYS => (limits::KEYS, "write each fact as a row of its own"),
+            _ => (limits::ROWS, "split the drive, or remove rows that repeat a fact"),
+        };
+        let finding = Diagnostic::new(code, self.span(span), text);
+        self.sink.push(
+            finding
+                .why(format!("it holds at most {most}, so that every finding is said in a moment"))
+                .help(help),
+        );
     }
 
     fn not_a_row(&mut self, name: &Sp<String>, span: Range<usize>, kind: &str) {
@@ -101,6 +125,10 @@ impl Reader<'_> {
     }
 
     fn row(&mut self, fields: &DeTable<'_>, span: Range<usize>) -> Option<RawRow> {
+        if fields.len() > limits::KEYS {
+            self.too_many(code::TOO_MANY_KEYS, span, &format!("a row has {} keys", fields.len()));
+            return None;
+        }
         let fields: Vec<RawField> = in_order(fields).map(|(key, value)| self.field(key, value)).collect();
         // The span of a `[table]` is its header alone: widen it to what it holds.
         let end = fields.iter().map(|f| f.value.span.end as usize).max().unwrap_or(span.end).max(span.end);

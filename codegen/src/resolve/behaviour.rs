@@ -1,6 +1,7 @@
 //! Modes, states, commands, abort codes, terminals, the EtherCAT side, rules and examples: tables that nothing else refers
 //! to. Each is sorted by its key; of two rows with one key the second is reported.
 
+use super::objects::check_reasons;
 use super::origin::Says;
 use crate::diag::{Diagnostic, Sink, code};
 use crate::merge::Profile;
@@ -14,7 +15,7 @@ use crate::rows::tables::{
     SyncManagerRow, TerminalRow,
 };
 use crate::rows::value::{Reason, Text};
-use crate::rows::{Meta, Row};
+use crate::rows::{Meta, Row, Rows};
 use crate::source::Sp;
 
 /// Fills the tables of `model`.
@@ -33,7 +34,8 @@ pub(super) fn fill(model: &mut Model, profile: &Profile, sink: &mut Sink) {
     model.rules = sorted(&rows.rules, |r| r.id.value.clone(), sink).map(|r| rule(r, errata)).collect();
     let key = |r: &ExampleRow| (r.id.value.clone(), r.step.map(|s| s.value));
     model.examples = sorted(&rows.examples, key, sink).map(|r| example(r, errata)).collect();
-    objects_exist(model, sink);
+    reasons(profile, sink);
+    objects_exist(model, &profile.rows, sink);
 }
 
 /// Rows by `key`, each once.
@@ -68,12 +70,11 @@ fn once<'a, R: Row>(rows: Vec<&'a R>, sink: &mut Sink) -> impl Iterator<Item = &
     let mut seen = std::collections::BTreeMap::new();
     let mut out = Vec::with_capacity(rows.len());
     for row in rows {
-        match seen.get(&row.key()) {
-            Some(first) => crate::merge::duplicate(row, *first, sink),
-            None => {
-                seen.insert(row.key(), row);
-                out.push(row);
-            }
+        if let Some(first) = seen.get(&row.key()) {
+            crate::merge::duplicate(row, *first, sink);
+        } else {
+            seen.insert(row.key(), row);
+            out.push(row);
         }
     }
     out.into_iter()
@@ -140,7 +141,8 @@ fn command(row: &CommandRow, errata: &[ErratumRow]) -> Command {
 
 fn abort(row: &AbortRow, errata: &[ErratumRow]) -> Abort {
     let says = plain(&row.meta, row.src.as_ref(), errata);
-    Abort { code: says.fact("code", row.code), name: says.fact("name", row.name.clone().map(|n| n.0)) }
+    let name = row.name.clone().map(|n| n.0);
+    Abort { code: says.fact("code", row.code), name: says.joint(&["name", "code"], name) }
 }
 
 fn terminal(row: &TerminalRow, errata: &[ErratumRow]) -> Terminal {
@@ -212,8 +214,15 @@ fn example(row: &ExampleRow, errata: &[ErratumRow]) -> Example {
     }
 }
 
+/// Reasons of rows that may have them.
+fn reasons(profile: &Profile, sink: &mut Sink) {
+    profile.rows.io.iter().for_each(|r| check_reasons(r, [r.inferred.as_ref()], sink));
+    profile.rows.emcy.iter().for_each(|r| check_reasons(r, [r.inferred.as_ref()], sink));
+    profile.rows.homing.iter().for_each(|r| check_reasons(r, [r.inferred.as_ref()], sink));
+}
+
 /// Every object that modes, terminals, rules and examples name must be there.
-fn objects_exist(model: &Model, sink: &mut Sink) {
+fn objects_exist(model: &Model, rows: &Rows, sink: &mut Sink) {
     let mut named: Vec<(Address, crate::source::Span)> = Vec::new();
     for mode in &model.modes {
         named.extend(mode.objects.iter().flat_map(|f| f.value.iter().map(|a| (*a, f.span()))));
@@ -225,13 +234,15 @@ fn objects_exist(model: &Model, sink: &mut Sink) {
     }
     for example in &model.examples {
         named.extend(example.entry.iter().map(|f| (f.value, f.span())));
-        named.extend(example.write.iter().flat_map(|f| {
+        // Of several that are not there the first says enough.
+        named.extend(example.write.iter().filter_map(|f| {
             let Entries { first, last } = f.value;
-            [first, Address::new(first.index, last)].map(|address| (address, f.span()))
+            let mut written = (first.sub..=last).map(|sub| Address::new(first.index, sub));
+            written.find(|address| model.entry(*address).is_none()).map(|address| (address, f.span()))
         }));
     }
     for (address, span) in named {
-        if model.entry(address).is_none() {
+        if model.entry(address).is_none() && !rows.left_out.contains(&address.to_string()) {
             sink.push(
                 Diagnostic::new(code::UNKNOWN_OBJECT, span, format!("there is no object {address}"))
                     .why("what is said of an object that the dictionary does not have cannot be checked")

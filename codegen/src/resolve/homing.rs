@@ -10,6 +10,10 @@ use crate::model::{Fact, HomingCase, HomingMethod, HomingStatus};
 use crate::rows::tables::{ErratumRow, HomingRow};
 use crate::source::Sp;
 
+/// Keys that say something of a method as a whole.
+const OF_METHOD: &[&str] =
+    &["status", "same", "start", "approach", "reference", "side", "edge", "text", "note", "deviation"];
+
 /// The methods, ascending.
 pub(super) fn methods(profile: &Profile, sink: &mut Sink) -> Vec<HomingMethod> {
     let mut groups: BTreeMap<i8, Vec<&HomingRow>> = BTreeMap::new();
@@ -30,16 +34,15 @@ pub(super) fn methods(profile: &Profile, sink: &mut Sink) -> Vec<HomingMethod> {
 }
 
 fn method(rows: &[&HomingRow], errata: &[ErratumRow], sink: &mut Sink) -> HomingMethod {
-    for pair in rows.windows(2) {
-        let same_case = pair[0].case.is_some() && pair[0].case == pair[1].case;
-        let same_start = pair[0].case.is_none() && pair[0].when == pair[1].when;
-        if same_case || same_start {
-            crate::merge::duplicate(pair[1], pair[0], sink);
+    for (n, row) in rows.iter().enumerate() {
+        // Numbered cases may share a start: the event that comes first tells them apart.
+        let same = |r: &&&HomingRow| r.case == row.case && (row.case.is_some() || r.when == row.when);
+        if let Some(first) = rows[..n].iter().find(same) {
+            crate::merge::duplicate(*row, *first, sink);
         }
+        complete(row, rows, sink);
     }
-    for row in rows {
-        complete(row, sink);
-    }
+    one_method(rows, sink);
     let first = rows[0];
     let says = says(first, errata);
     let status = first.status.unwrap_or(Sp::new(HomingStatus::Supported, first.meta.span()));
@@ -84,9 +87,10 @@ fn wrong(span: crate::source::Span, message: String, help: &str) -> Diagnostic {
 }
 
 /// A row has a start and a program, or refers to another method, or says that there is none.
-fn complete(row: &HomingRow, sink: &mut Sink) {
+fn complete(row: &HomingRow, rows: &[&HomingRow], sink: &mut Sink) {
     let method = row.method.value;
-    let absent = row.status.is_some_and(|s| s.value != HomingStatus::Supported);
+    let absent = rows.iter().any(|r| r.status.is_some_and(|s| s.value != HomingStatus::Supported));
+    let same = rows.iter().any(|r| r.same.is_some());
     match (row.when.is_some(), row.moves.is_some()) {
         (true, false) => sink.push(wrong(
             row.meta.span(),
@@ -98,17 +102,38 @@ fn complete(row: &HomingRow, sink: &mut Sink) {
             format!("`homing {method}` has moves and no start"),
             "add `when = ...`; `any` holds for every start",
         )),
-        (true, true) if row.same.is_some() || absent => sink.push(wrong(
+        (true, true) if same || absent => sink.push(wrong(
             row.meta.span(),
             format!("`homing {method}` has a program, and says that there is none of its own"),
             "remove `when` and `moves`, or `same` and `status`",
         )),
-        (false, false) if row.same.is_none() && !absent => sink.push(wrong(
+        (false, false) if !same && !absent => sink.push(wrong(
             row.meta.span(),
             format!("`homing {method}` says nothing"),
             "add `when` and `moves`, or `same`, or `status = \"reserved\"`",
         )),
         _ => {}
+    }
+}
+
+/// Cases have numbers or none has, and what is said of the method as a whole stands in its first row.
+fn one_method(rows: &[&HomingRow], sink: &mut Sink) {
+    let first = rows[0];
+    for row in &rows[1..] {
+        if row.case.is_some() != first.case.is_some() {
+            sink.push(wrong(
+                row.meta.span(),
+                format!("`homing {}` has cases with a number and without", row.method.value),
+                "give each case its `case = ...`, or none",
+            ));
+        }
+        for key in OF_METHOD.iter().filter_map(|key| row.meta.raw.get(key).map(|value| (key, value.span))) {
+            sink.push(wrong(
+                key.1,
+                format!("`{}` of `homing {}` stands in a row that is not its first", key.0, row.method.value),
+                "write it in the row of the first case: it belongs to the method as a whole",
+            ));
+        }
     }
 }
 

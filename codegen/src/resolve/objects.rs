@@ -39,6 +39,13 @@ struct Stated<'a> {
     base: Option<BaseRow<'a>>,
 }
 
+impl<'a> Stated<'a> {
+    /// What the drive's rows state.
+    fn own<T>(self, get: impl Fn(&'a ObjectRow) -> Option<&'a Sp<T>>) -> Option<&'a Sp<T>> {
+        get(self.row).or_else(|| self.range.and_then(get))
+    }
+}
+
 struct Resolver<'a, 's> {
     profile: &'a Profile,
     tables: Tables,
@@ -51,7 +58,7 @@ pub(super) fn resolve(profile: &Profile, tables: Tables, sink: &mut Sink) -> Res
     let own = ObjectIndex::new(&profile.rows.objects, sink);
     let (base_entries, base_whole) = base_rows(profile, sink);
     for row in &profile.rows.objects {
-        check_reasons(row, sink);
+        check_reasons(row, [row.inferred.as_ref(), row.assumed.as_ref()], sink);
     }
     let mut resolver = Resolver { profile, tables, base_entries, base_whole, sink };
     if own.entries.len() > limits::ENTRIES {
@@ -99,11 +106,15 @@ fn base_rows<'a>(
 }
 
 /// Fields that `inferred` and `assumed` name must exist and be stated by the row.
-fn check_reasons(row: &ObjectRow, sink: &mut Sink) {
-    let known: Vec<&str> = ObjectRow::TABLE.fields.iter().map(|f| f.key).collect();
-    for list in [&row.inferred, &row.assumed].into_iter().flatten() {
+pub(super) fn check_reasons<R: Row, const N: usize>(
+    row: &R,
+    lists: [Option<&Sp<Vec<Reason>>>; N],
+    sink: &mut Sink,
+) {
+    let known: Vec<&str> = R::TABLE.fields.iter().map(|f| f.key).collect();
+    for list in lists.into_iter().flatten() {
         for reason in &list.value {
-            if row.meta.raw.get(&reason.field).is_some() {
+            if row.meta().raw.get(&reason.field).is_some() {
                 continue;
             }
             let help = if known.contains(&reason.field.as_str()) {
@@ -205,10 +216,11 @@ impl<'a> Resolver<'a, '_> {
             self.unknown(code::ACCESS_UNKNOWN, address, row, "access", "a refused write must not compile");
         }
         let (name, ty, access) = (name?, ty?, access?);
-        self.deviation(row, stated.base, address);
+        self.deviation(stated, address);
         // A name that stands for several entries gets the number of each.
-        let named =
-            if row.name.is_some() || row.rename.is_some() { row } else { stated.range.unwrap_or(row) };
+        let rows = [Some(row), stated.range, stated.base.map(|b| b.1)];
+        let named = rows.into_iter().flatten().find(|r| r.name.is_some() || r.rename.is_some());
+        let named = named.unwrap_or(row);
         let handle = member_name(named.rename.as_ref().map_or(&name.value, |r| &r.value), named, address);
         let values = self.pick("values", stated, |r| r.values.as_ref());
         let bits = self.pick("bits", stated, |r| r.bits.as_ref());
@@ -230,8 +242,9 @@ impl<'a> Resolver<'a, '_> {
             values: values.and_then(|f| self.enum_fact(f)),
             bits: bits.and_then(|f| self.bits_fact(f)),
             text: self.pick("text", stated, |r| r.text.as_ref()).map(|f| f.value.0),
+            // A note of a range may be untrue of the row that refines it.
             note: row.note.as_ref().map(|n| n.value.0.clone()),
-            deviation: row.deviation.as_ref().map(|d| d.value.0.clone()),
+            deviation: stated.own(|r| r.deviation.as_ref()).map(|d| d.value.0.clone()),
             parameter: self.pick("parameter", stated, |r| r.parameter.as_ref()).map(|f| f.map(|p| p.0)),
             effect: self.pick("effect", stated, |r| r.effect.as_ref()),
             also: row.also.as_ref().map(|a| a.value.clone()),
@@ -260,9 +273,10 @@ impl<'a> Resolver<'a, '_> {
     }
 
     /// A row may contradict the standard object only with a reason, and a reason needs a contradiction.
-    fn deviation(&mut self, row: &ObjectRow, base: Option<BaseRow<'_>>, address: Address) {
-        let found = base.and_then(|(name, base)| contradiction(row, base).map(|c| (name, c)));
-        match (found, &row.deviation) {
+    fn deviation(&mut self, stated: Stated<'_>, address: Address) {
+        let Stated { row, base, .. } = stated;
+        let found = base.and_then(|(name, base)| contradiction(stated, base).map(|c| (name, c)));
+        match (found, stated.own(|r| r.deviation.as_ref())) {
             (Some((name, c)), None) => self.sink.push(
                 Diagnostic::new(
                     code::CONTRADICTS_BASE,
@@ -273,7 +287,7 @@ impl<'a> Resolver<'a, '_> {
                 .why("most contradictions of a standard type are slips of the pen or of the manual")
                 .help("correct the row; if the drive really differs, say why in `deviation = ...`, or add an erratum"),
             ),
-            (None, Some(deviation)) if base.is_some() && !row.meta.raw.fields.iter().any(|f| f.key.value == "text") => {
+            (None, Some(deviation)) if base.is_some() && row.deviation.is_some() && !row.meta.raw.fields.iter().any(|f| f.key.value == "text") => {
                 self.sink.push(
                     Diagnostic::new(code::DEVIATION_UNUSED, deviation.span, format!("{address} deviates in nothing that is checked"))
                         .why("a reason without a contradiction would hide the next one")
@@ -342,16 +356,20 @@ struct Contradiction {
     base: Span,
 }
 
-fn contradiction(row: &ObjectRow, base: &ObjectRow) -> Option<Contradiction> {
+fn contradiction(stated: Stated<'_>, base: &ObjectRow) -> Option<Contradiction> {
     fn differ<T: ToString>(key: &'static str, here: &Sp<T>, there: &Sp<T>) -> Contradiction {
         let (row, base) = (here.span, there.span);
         Contradiction { key, here: here.value.to_string(), there: there.value.to_string(), row, base }
     }
-    let types =
-        row.ty.as_ref().zip(base.ty.as_ref()).filter(|(a, b)| a != b).map(|(a, b)| differ("type", a, b));
+    let types = stated.own(|r| r.ty.as_ref()).zip(base.ty.as_ref());
+    let types = types.filter(|(a, b)| a != b).map(|(a, b)| differ("type", a, b));
     // A constant is read only: the two words promise the same to a reader.
     let plain = |access: Access| if access == Access::Const { Access::Ro } else { access };
-    let access = row.access.zip(base.access).filter(|(a, b)| plain(a.value) != plain(b.value));
+    let access = stated
+        .own(|r| r.access.as_ref())
+        .copied()
+        .zip(base.access)
+        .filter(|(a, b)| plain(a.value) != plain(b.value));
     types.or_else(|| access.map(|(a, b)| differ("access", &a.map(Access::word), &b.map(Access::word))))
 }
 

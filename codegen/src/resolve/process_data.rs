@@ -16,7 +16,7 @@ pub(super) fn pdos(profile: &Profile, model: &Model, sink: &mut Sink) -> Vec<Pdo
     }
     if let Some(row) = profile.rows.pdo.first().filter(|_| groups.len() > limits::PDOS) {
         sink.push(
-            Diagnostic::new(code::TOO_LONG, row.meta.span(), format!("{} PDOs", groups.len()))
+            Diagnostic::new(code::TOO_MANY_PDOS, row.meta.span(), format!("{} PDOs", groups.len()))
                 .why(format!("a drive has at most {}", limits::PDOS))
                 .help("check the column `map`"),
         );
@@ -32,8 +32,35 @@ fn pdo(index: u16, mut rows: Vec<&PdoRow>, profile: &Profile, model: &Model, sin
     }
     rows.dedup_by_key(|r| r.pos.value);
     let direction = direction(index, &rows, profile, sink);
+    bounded(index, &rows, sink);
     let entries = rows.iter().filter_map(|row| mapped(row, profile, model, sink)).collect();
     Pdo { index, direction: direction.value, origin: direction.origin, entries }
+}
+
+/// What no drive can map, whatever its manual says. What this drive can map is the matter of lints.
+fn bounded(index: u16, rows: &[&PdoRow], sink: &mut Sink) {
+    let most = usize::try_from(limits::PDO_ENTRIES).unwrap_or(usize::MAX);
+    if let Some(row) = rows.get(most) {
+        let text = format!("PDO {index:04X} has {} entries", rows.len());
+        sink.push(
+            Diagnostic::new(code::TOO_MANY_MAPPED, row.meta.span(), text)
+                .why(format!("sub-index 0 of a mapping counts at most {most} entries"))
+                .help("check the columns `map` and `pos`"),
+        );
+    }
+    let bits: u32 = rows.iter().map(|row| u32::from(row.bits.value)).sum();
+    let bytes = bits.div_ceil(8);
+    if let Some(row) = rows.last().filter(|_| bytes > limits::PDO_BYTES) {
+        sink.push(
+            Diagnostic::new(
+                code::PDO_TOO_LONG,
+                row.meta.span(),
+                format!("PDO {index:04X} has {bytes} bytes"),
+            )
+            .why(format!("one frame carries at most {} bytes of process data", limits::PDO_BYTES))
+            .help("check the columns `map` and `bits`"),
+        );
+    }
 }
 
 fn direction(index: u16, rows: &[&PdoRow], profile: &Profile, sink: &mut Sink) -> Fact<Direction> {

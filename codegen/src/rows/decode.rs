@@ -52,15 +52,12 @@ impl<'a> Decoder<'a> {
     fn unknown_key(&mut self, key: &Sp<String>) {
         self.bad = true;
         let keys: Vec<&str> = self.table.fields.iter().map(|f| f.key).collect();
-        self.sink.push(
-            Diagnostic::new(
-                code::UNKNOWN_KEY,
-                key.span,
-                format!("`{}` has no key `{}`", self.table.name, key.value),
-            )
-            .why("a key that is not known would be lost")
-            .help(suggest(&key.value, &keys)),
-        );
+        let text = || format!("`{}` has no key `{}`", self.table.name, key.value);
+        self.sink.report(code::UNKNOWN_KEY, || {
+            Diagnostic::new(code::UNKNOWN_KEY, key.span, text())
+                .why("a key that is not known would be lost")
+                .help(suggest(&key.value, &keys))
+        });
     }
 
     /// The value of a key that the row may have.

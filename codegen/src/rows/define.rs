@@ -77,7 +77,7 @@ macro_rules! tables {
                     if !decoder.finish() {
                         return None;
                     }
-                    Some(Self { $( $field: $crate::rows::define::finish!($need $field), )+ meta: Meta { raw, fixes: Vec::new() } })
+                    Some(Self { $( $field: $crate::rows::define::finish!($need $field), )+ meta: Meta { raw, fixes: BTreeMap::new() } })
                 }
 
                 fn key(&self) -> String {

@@ -20,6 +20,8 @@ pub(crate) use kind::suggest;
 pub use kind::{Expected, FromRaw, Kind};
 pub use tables::Rows;
 
+use std::collections::BTreeMap;
+
 use crate::diag::Sink;
 use crate::model::Cite;
 use crate::raw::RawRow;
@@ -28,8 +30,6 @@ use crate::source::{Sp, Span};
 /// A change that an erratum made to a row, or a value that it explains.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Fix {
-    /// The key.
-    pub key: String,
     /// Place of the erratum in the profile's list.
     pub erratum: usize,
     /// Whether the value was changed.
@@ -41,8 +41,8 @@ pub struct Fix {
 pub struct Meta {
     /// The row as read, so that errata can compare and replace values.
     pub raw: RawRow,
-    /// What errata did.
-    pub fixes: Vec<Fix>,
+    /// What errata did, by key.
+    pub fixes: BTreeMap<String, Fix>,
 }
 
 impl Meta {
@@ -53,7 +53,16 @@ impl Meta {
 
     /// What an erratum did to `key`.
     pub fn fix(&self, key: &str) -> Option<&Fix> {
-        self.fixes.iter().find(|f| f.key == key)
+        self.fixes.get(key)
+    }
+
+    /// Keeps what an erratum did to `key`. Of several that explain its value the first is kept, and of all the one that
+    /// changes it.
+    pub fn add_fix(&mut self, key: String, fix: Fix) {
+        let kept = self.fixes.entry(key).or_insert_with(|| fix.clone());
+        if fix.set && !kept.set {
+            *kept = fix;
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Every table and every key, once.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::address::At;
 use super::decode::{Decoder, FieldInfo, TableInfo};

@@ -79,11 +79,12 @@ impl FromRaw for Ident {
         let ok = text.starts_with(|c: char| c.is_ascii_lowercase())
             && text.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-');
         ok.then(|| Self(text.to_owned())).ok_or_else(|| {
-            bad(
+            let bad = bad(
                 format!("`{text}` is no id"),
                 "ids become folder and crate names",
                 "use lower-case letters, digits and `-`, and start with a letter",
-            )
+            );
+            Expected { code: code::BAD_ID, ..bad }
         })
     }
 }

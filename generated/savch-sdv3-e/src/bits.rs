@@ -97,7 +97,7 @@ bit_field! {
 
 bit_field! {
     /// Bits of touch probe function.
-    pub struct TouchProbeFunction(u64) {
+    pub struct TouchProbeFunction(u16) {
         /// TP1 enable. 0: touch probe 1 is off. 1: it is on. (4.9.1 L803)
         TP1_ENABLE: 0,
         /// TP1 trigger mode. 0: single, only the first trigger counts. 1: continuous. (4.9.1 L804)
@@ -123,7 +123,7 @@ bit_field! {
 
 bit_field! {
     /// Bits of touch probe status.
-    pub struct TouchProbeStatus(u64) {
+    pub struct TouchProbeStatus(u16) {
         /// TP1 enable status. 0: touch probe 1 is off. 1: it is on. (4.9.1 L825)
         TP1_ENABLE_STATUS: 0,
         /// TP1 rising edge latched status. 0: no position is latched at the rising edge. 1: one is. (4.9.1 L826)
@@ -188,5 +188,7 @@ bit_field! {
         CYCLIC_SYNCHRONOUS_VELOCITY: 8,
         /// Cyclic synchronous torque. (standard: cia402)
         CYCLIC_SYNCHRONOUS_TORQUE: 9,
+        /// Cyclic synchronous torque with commutation angle. (standard: cia402)
+        CYCLIC_SYNCHRONOUS_TORQUE_WITH_COMMUTATION_ANGLE: 10,
     }
 }

@@ -118,7 +118,7 @@ wire_enum! {
     pub struct SpeedCommandFormat(i32) = "speed command format" {
         /// rpm. (2.4 L151)
         RPM = 0 => "rpm",
-        /// unit/s. (4.2 L411 L413)
+        /// unit/s. (2.4 L151)
         UNIT_S = 1 => "unit/s",
     }
 }
@@ -152,19 +152,19 @@ wire_enum! {
         DISABLE_DRIVE_FUNCTION = 0 => "Disable drive function",
         /// Slow down ramp. Then switch on disabled. (standard: cia402)
         SLOW_DOWN_RAMP = 1 => "Slow down ramp",
-        /// Quick stop ramp. Then switch on disabled. (standard: cia402)
+        /// Quick stop ramp. Then switch on disabled. (standard: cia402) Not allowed by 605A:00.
         QUICK_STOP_RAMP = 2 => "Quick stop ramp",
-        /// Current limit. Then switch on disabled. (standard: cia402)
+        /// Current limit. Then switch on disabled. (standard: cia402) Not allowed by 605A:00.
         CURRENT_LIMIT = 3 => "Current limit",
-        /// Voltage limit. Then switch on disabled. (standard: cia402)
+        /// Voltage limit. Then switch on disabled. (standard: cia402) Not allowed by 605A:00.
         VOLTAGE_LIMIT = 4 => "Voltage limit",
         /// Slow down ramp and stay. Stays in quick stop active. (standard: cia402)
         SLOW_DOWN_RAMP_AND_STAY = 5 => "Slow down ramp and stay",
-        /// Quick stop ramp and stay. Stays in quick stop active. (standard: cia402)
+        /// Quick stop ramp and stay. Stays in quick stop active. (standard: cia402) Not allowed by 605A:00.
         QUICK_STOP_RAMP_AND_STAY = 6 => "Quick stop ramp and stay",
-        /// Current limit and stay. Stays in quick stop active. (standard: cia402)
+        /// Current limit and stay. Stays in quick stop active. (standard: cia402) Not allowed by 605A:00.
         CURRENT_LIMIT_AND_STAY = 7 => "Current limit and stay",
-        /// Voltage limit and stay. Stays in quick stop active. (standard: cia402)
+        /// Voltage limit and stay. Stays in quick stop active. (standard: cia402) Not allowed by 605A:00.
         VOLTAGE_LIMIT_AND_STAY = 8 => "Voltage limit and stay",
     }
 }

@@ -269,9 +269,10 @@ pub const RXPDO2_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(
 
 /// Number of Mapped RxPDO3, `1602:00`: UNSIGNED8, rw, not mapped.
 ///
-/// 0 to 10.
-/// Note: The row is shifted by one cell in the text extract, and its default is lost: see E023. Two mapped objects are printed below it.
+/// 0 to 10; default 2.
+/// Note: The row is shifted by one cell in the text extract, and its default is lost: see E023.
 /// Manual: 6.1 T6-1 L1089.
+/// The default is inferred: two objects are mapped below it.
 ///
 /// Erratum E023, max: printed 10, kept. The row is shifted by one cell to the right in the text extract: the index stands under the sub-index, the range 0\~10 under the default, and the default is lost. In the rows below only the sub-index is out of place (L1090 to L1099). That the default is 2, as in the neighbours, follows from the two objects mapped; it is not printed.
 #[doc(alias = "1602")]
@@ -989,8 +990,10 @@ pub const SM_OUTPUT_SYNC_ERROR: Object<bool, Ro, Unmapped, Raw> = Object::new(0x
 
 /// SM input parameter, `1C33:00`: UNSIGNED8, ro, not mapped.
 ///
-/// Note: The row is shifted by one cell in the text extract, and its default is lost: see E024. The highest sub-index printed is 32.
+/// Default 32.
+/// Note: The row is shifted by one cell in the text extract, and its default is lost: see E024.
 /// Manual: 6.1 T6-1 L1188.
+/// The default is inferred: the highest sub-index that is printed.
 ///
 /// Erratum E024, access: printed "ro", kept. The row is shifted by one cell to the right in the text extract: RO stands under the PDO map, and the default is lost. In the rows below only the sub-index is out of place (L1189 to L1199). Its neighbour has 32.
 #[doc(alias = "1C33")]
@@ -1017,7 +1020,7 @@ pub const SM_INPUT_CYCLE_TIME: Object<u32, Rw, Unmapped, Time> =
 ///
 /// Time from the DC synchronization to the latching of the inputs: a multiple of 62500, any other value is refused.
 /// In ns; default 0.
-/// Manual: 6.1 T6-1 L1191, 3.5.1 L251 L253.
+/// Manual: 6.1 T6-1 L1191, 3.5.1 L253.
 ///
 /// Erratum E066, default: printed 0, kept. P4.09 sets the same time. 2.4 counts it from 26000, so that its default of 0 would give 26000, which is no multiple of 62500; 3.5.1 has 62500 times the parameter and no 26000. Kept.
 #[doc(alias = "1C33")]
@@ -1101,7 +1104,7 @@ pub const NUMBER_OF_SERVO_PARA_GROUP1: Object<u8, Ro, Unmapped, Raw> = Object::n
 ///
 /// 9 is EtherCAT mode.
 /// 0 to 9; default 9.
-/// Manual: 2.4 L140 L154, 6.3 L1343.
+/// Manual: 2.4 L140 L154.
 /// Manual, the type: 6.3 T6-3 L1271, 6.3 L1343.
 /// Manual, the access: 6.3 T6-3 L1271, 6.3 L1343.
 /// Manual, the mapping: 6.3 T6-3 L1271, 6.3 L1343.
@@ -1905,7 +1908,7 @@ pub const NUMBER_OF_SERVO_PARA_GROUP2: Object<u8, Ro, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x01);
 
@@ -1913,7 +1916,7 @@ pub const SERVO_PARAMETER_GROUP_2_1: Object<i32, Rw, Unmapped, Raw> = Object::ne
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x02);
 
@@ -1921,7 +1924,7 @@ pub const SERVO_PARAMETER_GROUP_2_2: Object<i32, Rw, Unmapped, Raw> = Object::ne
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x03);
 
@@ -1929,7 +1932,7 @@ pub const SERVO_PARAMETER_GROUP_2_3: Object<i32, Rw, Unmapped, Raw> = Object::ne
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_4: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x04);
 
@@ -1937,7 +1940,7 @@ pub const SERVO_PARAMETER_GROUP_2_4: Object<i32, Rw, Unmapped, Raw> = Object::ne
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_5: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x05);
 
@@ -1945,7 +1948,7 @@ pub const SERVO_PARAMETER_GROUP_2_5: Object<i32, Rw, Unmapped, Raw> = Object::ne
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_6: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x06);
 
@@ -1953,7 +1956,7 @@ pub const SERVO_PARAMETER_GROUP_2_6: Object<i32, Rw, Unmapped, Raw> = Object::ne
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_7: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x07);
 
@@ -1961,7 +1964,7 @@ pub const SERVO_PARAMETER_GROUP_2_7: Object<i32, Rw, Unmapped, Raw> = Object::ne
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_8: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x08);
 
@@ -1969,7 +1972,7 @@ pub const SERVO_PARAMETER_GROUP_2_8: Object<i32, Rw, Unmapped, Raw> = Object::ne
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_9: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x09);
 
@@ -1977,7 +1980,7 @@ pub const SERVO_PARAMETER_GROUP_2_9: Object<i32, Rw, Unmapped, Raw> = Object::ne
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_10: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x0A);
 
@@ -1985,7 +1988,7 @@ pub const SERVO_PARAMETER_GROUP_2_10: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_11: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x0B);
 
@@ -1993,7 +1996,7 @@ pub const SERVO_PARAMETER_GROUP_2_11: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_12: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x0C);
 
@@ -2001,7 +2004,7 @@ pub const SERVO_PARAMETER_GROUP_2_12: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_13: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x0D);
 
@@ -2009,7 +2012,7 @@ pub const SERVO_PARAMETER_GROUP_2_13: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_14: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x0E);
 
@@ -2017,7 +2020,7 @@ pub const SERVO_PARAMETER_GROUP_2_14: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_15: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x0F);
 
@@ -2025,7 +2028,7 @@ pub const SERVO_PARAMETER_GROUP_2_15: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_16: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x10);
 
@@ -2033,7 +2036,7 @@ pub const SERVO_PARAMETER_GROUP_2_16: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_17: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x11);
 
@@ -2041,7 +2044,7 @@ pub const SERVO_PARAMETER_GROUP_2_17: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_18: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x12);
 
@@ -2049,7 +2052,7 @@ pub const SERVO_PARAMETER_GROUP_2_18: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_19: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x13);
 
@@ -2057,7 +2060,7 @@ pub const SERVO_PARAMETER_GROUP_2_19: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_20: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x14);
 
@@ -2065,17 +2068,17 @@ pub const SERVO_PARAMETER_GROUP_2_20: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_21: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x15);
 
 /// Stopper homing P2.22, `3001:16`: INTEGER32, rw, not mapped.
 ///
 /// Homing methods 36 and 37, which end at a stopper, need it.
-/// Manual: 4.4 L594 L595 L599, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1273, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1273, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 4.4 L599.
+/// Manual, the type: 6.3 T6-3 L1273.
+/// Manual, the access: 6.3 T6-3 L1273.
+/// Manual, the mapping: 6.3 T6-3 L1273.
 /// The name is inferred: the manual prints the number only.
 #[doc(alias = "3001")]
 pub const STOPPER_HOMING_P2_22: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x16);
@@ -2083,10 +2086,10 @@ pub const STOPPER_HOMING_P2_22: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3
 /// Stopper homing P2.23, `3001:17`: INTEGER32, rw, not mapped.
 ///
 /// Homing methods 36 and 37, which end at a stopper, need it.
-/// Manual: 4.4 L594 L595 L599, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1273, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1273, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 4.4 L599.
+/// Manual, the type: 6.3 T6-3 L1273.
+/// Manual, the access: 6.3 T6-3 L1273.
+/// Manual, the mapping: 6.3 T6-3 L1273.
 /// The name is inferred: the manual prints the number only.
 #[doc(alias = "3001")]
 pub const STOPPER_HOMING_P2_23: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x17);
@@ -2095,7 +2098,7 @@ pub const STOPPER_HOMING_P2_23: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_24: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x18);
 
@@ -2104,21 +2107,21 @@ pub const SERVO_PARAMETER_GROUP_2_24: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// The position of the motor is held inside the range of 607Dh.
 /// Only 0, 1; default 0.
 /// Note: The manual does not say for which value; in other rows the description belongs to the default.
-/// Manual: 2.4 L141 L154, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1273, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1273, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 2.4 L141 L154.
+/// Manual, the type: 6.3 T6-3 L1273.
+/// Manual, the access: 6.3 T6-3 L1273.
+/// Manual, the mapping: 6.3 T6-3 L1273.
 ///
 /// Erratum E106, text: printed "The position of the motor is held inside the range of 607Dh.", kept. The row prints it for no value of its own. With 1, Infinite length, a limit makes little sense; read it for 0. Kept.
 #[doc(alias = "3001")]
 pub const POSITION_COMMAND_FORMAT: Object<enums::PositionCommandFormat, Rw, Unmapped, Raw> =
-    Object::new(0x3001, 0x19);
+    Object::new(0x3001, 0x19).allow(&[0, 1]);
 
 /// Servo Parameter Group 2, `3001:1A`: INTEGER32, rw, not mapped.
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_26: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x1A);
 
@@ -2126,7 +2129,7 @@ pub const SERVO_PARAMETER_GROUP_2_26: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_27: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x1B);
 
@@ -2134,7 +2137,7 @@ pub const SERVO_PARAMETER_GROUP_2_27: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_28: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x1C);
 
@@ -2142,7 +2145,7 @@ pub const SERVO_PARAMETER_GROUP_2_28: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_29: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x1D);
 
@@ -2150,7 +2153,7 @@ pub const SERVO_PARAMETER_GROUP_2_29: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_30: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x1E);
 
@@ -2158,7 +2161,7 @@ pub const SERVO_PARAMETER_GROUP_2_30: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_31: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x1F);
 
@@ -2166,7 +2169,7 @@ pub const SERVO_PARAMETER_GROUP_2_31: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_32: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x20);
 
@@ -2174,7 +2177,7 @@ pub const SERVO_PARAMETER_GROUP_2_32: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_33: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x21);
 
@@ -2182,7 +2185,7 @@ pub const SERVO_PARAMETER_GROUP_2_33: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_34: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x22);
 
@@ -2190,7 +2193,7 @@ pub const SERVO_PARAMETER_GROUP_2_34: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_35: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x23);
 
@@ -2198,7 +2201,7 @@ pub const SERVO_PARAMETER_GROUP_2_35: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_36: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x24);
 
@@ -2206,7 +2209,7 @@ pub const SERVO_PARAMETER_GROUP_2_36: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_37: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x25);
 
@@ -2214,7 +2217,7 @@ pub const SERVO_PARAMETER_GROUP_2_37: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_38: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x26);
 
@@ -2222,7 +2225,7 @@ pub const SERVO_PARAMETER_GROUP_2_38: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_39: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x27);
 
@@ -2230,7 +2233,7 @@ pub const SERVO_PARAMETER_GROUP_2_39: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_40: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x28);
 
@@ -2238,7 +2241,7 @@ pub const SERVO_PARAMETER_GROUP_2_40: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_41: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x29);
 
@@ -2246,7 +2249,7 @@ pub const SERVO_PARAMETER_GROUP_2_41: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_42: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x2A);
 
@@ -2254,7 +2257,7 @@ pub const SERVO_PARAMETER_GROUP_2_42: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_43: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x2B);
 
@@ -2262,7 +2265,7 @@ pub const SERVO_PARAMETER_GROUP_2_43: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_44: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x2C);
 
@@ -2270,7 +2273,7 @@ pub const SERVO_PARAMETER_GROUP_2_44: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_45: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x2D);
 
@@ -2278,7 +2281,7 @@ pub const SERVO_PARAMETER_GROUP_2_45: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_46: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x2E);
 
@@ -2286,7 +2289,7 @@ pub const SERVO_PARAMETER_GROUP_2_46: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_47: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x2F);
 
@@ -2294,7 +2297,7 @@ pub const SERVO_PARAMETER_GROUP_2_47: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_48: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x30);
 
@@ -2302,7 +2305,7 @@ pub const SERVO_PARAMETER_GROUP_2_48: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_49: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x31);
 
@@ -2310,7 +2313,7 @@ pub const SERVO_PARAMETER_GROUP_2_49: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_50: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x32);
 
@@ -2318,7 +2321,7 @@ pub const SERVO_PARAMETER_GROUP_2_50: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_51: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x33);
 
@@ -2326,7 +2329,7 @@ pub const SERVO_PARAMETER_GROUP_2_51: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_52: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x34);
 
@@ -2334,7 +2337,7 @@ pub const SERVO_PARAMETER_GROUP_2_52: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_53: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x35);
 
@@ -2342,7 +2345,7 @@ pub const SERVO_PARAMETER_GROUP_2_53: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_54: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x36);
 
@@ -2350,7 +2353,7 @@ pub const SERVO_PARAMETER_GROUP_2_54: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_55: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x37);
 
@@ -2358,7 +2361,7 @@ pub const SERVO_PARAMETER_GROUP_2_55: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_56: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x38);
 
@@ -2366,7 +2369,7 @@ pub const SERVO_PARAMETER_GROUP_2_56: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_57: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x39);
 
@@ -2374,7 +2377,7 @@ pub const SERVO_PARAMETER_GROUP_2_57: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_58: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x3A);
 
@@ -2382,7 +2385,7 @@ pub const SERVO_PARAMETER_GROUP_2_58: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_59: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x3B);
 
@@ -2390,7 +2393,7 @@ pub const SERVO_PARAMETER_GROUP_2_59: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_60: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x3C);
 
@@ -2398,7 +2401,7 @@ pub const SERVO_PARAMETER_GROUP_2_60: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_61: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x3D);
 
@@ -2406,7 +2409,7 @@ pub const SERVO_PARAMETER_GROUP_2_61: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_62: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x3E);
 
@@ -2414,7 +2417,7 @@ pub const SERVO_PARAMETER_GROUP_2_62: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_63: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x3F);
 
@@ -2422,7 +2425,7 @@ pub const SERVO_PARAMETER_GROUP_2_63: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_64: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x40);
 
@@ -2430,7 +2433,7 @@ pub const SERVO_PARAMETER_GROUP_2_64: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_65: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x41);
 
@@ -2438,7 +2441,7 @@ pub const SERVO_PARAMETER_GROUP_2_65: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_66: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x42);
 
@@ -2446,7 +2449,7 @@ pub const SERVO_PARAMETER_GROUP_2_66: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_67: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x43);
 
@@ -2454,7 +2457,7 @@ pub const SERVO_PARAMETER_GROUP_2_67: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_68: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x44);
 
@@ -2462,7 +2465,7 @@ pub const SERVO_PARAMETER_GROUP_2_68: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_69: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x45);
 
@@ -2470,7 +2473,7 @@ pub const SERVO_PARAMETER_GROUP_2_69: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_70: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x46);
 
@@ -2478,7 +2481,7 @@ pub const SERVO_PARAMETER_GROUP_2_70: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_71: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x47);
 
@@ -2486,7 +2489,7 @@ pub const SERVO_PARAMETER_GROUP_2_71: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_72: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x48);
 
@@ -2494,7 +2497,7 @@ pub const SERVO_PARAMETER_GROUP_2_72: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_73: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x49);
 
@@ -2502,7 +2505,7 @@ pub const SERVO_PARAMETER_GROUP_2_73: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_74: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x4A);
 
@@ -2510,7 +2513,7 @@ pub const SERVO_PARAMETER_GROUP_2_74: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_75: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x4B);
 
@@ -2518,7 +2521,7 @@ pub const SERVO_PARAMETER_GROUP_2_75: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_76: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x4C);
 
@@ -2527,12 +2530,12 @@ pub const SERVO_PARAMETER_GROUP_2_76: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// What the panel shows after power-on; 52, the default, is the EtherCAT status.
 /// From 0; default 52.
 /// Note: The default is outside the printed range: see E105.
-/// Manual: 2.4 L142 L154, 2.2 L103, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1273, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1273, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 2.4 L142 L154, 2.2 L103.
+/// Manual, the type: 6.3 T6-3 L1273.
+/// Manual, the access: 6.3 T6-3 L1273.
+/// Manual, the mapping: 6.3 T6-3 L1273.
 ///
-/// Erratum E105, max: printed 42, kept. The default, 52, is outside the printed range 0 to 42, and the description of the same row gives it a meaning: the range is too short. What the highest value is, is not printed.
+/// Erratum E105, max: printed 42, dropped. The default, 52, is outside the printed range 0 to 42, and the description of the same row gives it a meaning: the range is too short. What the highest value is, is not printed.
 #[doc(alias = "3001")]
 pub const INITIAL_DISPLAY_OF_THE_KEYPAD: Object<enums::KeypadDisplay, Rw, Unmapped, Raw> =
     Object::new(0x3001, 0x4D).range(0, i64::MAX);
@@ -2541,7 +2544,7 @@ pub const INITIAL_DISPLAY_OF_THE_KEYPAD: Object<enums::KeypadDisplay, Rw, Unmapp
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_78: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x4E);
 
@@ -2549,7 +2552,7 @@ pub const SERVO_PARAMETER_GROUP_2_78: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_79: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x4F);
 
@@ -2557,7 +2560,7 @@ pub const SERVO_PARAMETER_GROUP_2_79: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_80: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x50);
 
@@ -2565,7 +2568,7 @@ pub const SERVO_PARAMETER_GROUP_2_80: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_81: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x51);
 
@@ -2573,7 +2576,7 @@ pub const SERVO_PARAMETER_GROUP_2_81: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_82: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x52);
 
@@ -2581,7 +2584,7 @@ pub const SERVO_PARAMETER_GROUP_2_82: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_83: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x53);
 
@@ -2589,7 +2592,7 @@ pub const SERVO_PARAMETER_GROUP_2_83: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_84: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x54);
 
@@ -2597,7 +2600,7 @@ pub const SERVO_PARAMETER_GROUP_2_84: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_85: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x55);
 
@@ -2605,7 +2608,7 @@ pub const SERVO_PARAMETER_GROUP_2_85: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_86: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x56);
 
@@ -2613,7 +2616,7 @@ pub const SERVO_PARAMETER_GROUP_2_86: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_87: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x57);
 
@@ -2621,7 +2624,7 @@ pub const SERVO_PARAMETER_GROUP_2_87: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_88: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x58);
 
@@ -2629,7 +2632,7 @@ pub const SERVO_PARAMETER_GROUP_2_88: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_89: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x59);
 
@@ -2637,7 +2640,7 @@ pub const SERVO_PARAMETER_GROUP_2_89: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_90: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x5A);
 
@@ -2645,7 +2648,7 @@ pub const SERVO_PARAMETER_GROUP_2_90: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_91: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x5B);
 
@@ -2653,7 +2656,7 @@ pub const SERVO_PARAMETER_GROUP_2_91: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_92: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x5C);
 
@@ -2661,7 +2664,7 @@ pub const SERVO_PARAMETER_GROUP_2_92: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_93: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x5D);
 
@@ -2669,7 +2672,7 @@ pub const SERVO_PARAMETER_GROUP_2_93: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_94: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x5E);
 
@@ -2677,7 +2680,7 @@ pub const SERVO_PARAMETER_GROUP_2_94: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_95: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x5F);
 
@@ -2685,7 +2688,7 @@ pub const SERVO_PARAMETER_GROUP_2_95: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_96: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x60);
 
@@ -2693,7 +2696,7 @@ pub const SERVO_PARAMETER_GROUP_2_96: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_97: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x61);
 
@@ -2701,7 +2704,7 @@ pub const SERVO_PARAMETER_GROUP_2_97: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_98: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x62);
 
@@ -2709,7 +2712,7 @@ pub const SERVO_PARAMETER_GROUP_2_98: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 2.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1273, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
 pub const SERVO_PARAMETER_GROUP_2_99: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x63);
 
@@ -2725,10 +2728,10 @@ pub const NUMBER_OF_SERVO_PARA_GROUP3: Object<u8, Ro, Unmapped, Raw> = Object::n
 /// Function of EI1, `3002:01`: INTEGER32, rw, not mapped.
 ///
 /// Function number of hardware input EI1; 40 is EXT1 and 41 is EXT2 of the touch probe.
-/// Manual: 6.3.4 L1367, 4.9.1 L798, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1367.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; five inputs and five parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_EI1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x01);
@@ -2736,10 +2739,10 @@ pub const FUNCTION_OF_EI1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 
 /// Function of EI2, `3002:02`: INTEGER32, rw, not mapped.
 ///
 /// Function number of hardware input EI2; 40 is EXT1 and 41 is EXT2 of the touch probe.
-/// Manual: 6.3.4 L1367, 4.9.1 L798, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1367.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; five inputs and five parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_EI2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x02);
@@ -2747,10 +2750,10 @@ pub const FUNCTION_OF_EI2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 
 /// Function of EI3, `3002:03`: INTEGER32, rw, not mapped.
 ///
 /// Function number of hardware input EI3; 40 is EXT1 and 41 is EXT2 of the touch probe.
-/// Manual: 6.3.4 L1367, 4.9.1 L798, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1367.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; five inputs and five parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_EI3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x03);
@@ -2758,10 +2761,10 @@ pub const FUNCTION_OF_EI3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 
 /// Function of EI4, `3002:04`: INTEGER32, rw, not mapped.
 ///
 /// Function number of hardware input EI4; 40 is EXT1 and 41 is EXT2 of the touch probe.
-/// Manual: 6.3.4 L1367, 4.9.1 L798, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1367.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; five inputs and five parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_EI4: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x04);
@@ -2769,10 +2772,10 @@ pub const FUNCTION_OF_EI4: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 
 /// Function of EI5, `3002:05`: INTEGER32, rw, not mapped.
 ///
 /// Function number of hardware input EI5; 40 is EXT1 and 41 is EXT2 of the touch probe.
-/// Manual: 6.3.4 L1367, 4.9.1 L798, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1367.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; five inputs and five parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_EI5: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x05);
@@ -2781,7 +2784,7 @@ pub const FUNCTION_OF_EI5: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_6: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x06);
 
@@ -2789,7 +2792,7 @@ pub const SERVO_PARAMETER_GROUP_3_6: Object<i32, Rw, Unmapped, Raw> = Object::ne
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_7: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x07);
 
@@ -2797,17 +2800,17 @@ pub const SERVO_PARAMETER_GROUP_3_7: Object<i32, Rw, Unmapped, Raw> = Object::ne
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_8: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x08);
 
 /// Function of communication EI1, `3002:09`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication input 1.
-/// Manual: 6.3.4 L1369, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EI1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x09);
@@ -2815,10 +2818,10 @@ pub const FUNCTION_OF_COMMUNICATION_EI1: Object<i32, Rw, Unmapped, Raw> = Object
 /// Function of communication EI2, `3002:0A`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication input 2.
-/// Manual: 6.3.4 L1369, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EI2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0A);
@@ -2826,10 +2829,10 @@ pub const FUNCTION_OF_COMMUNICATION_EI2: Object<i32, Rw, Unmapped, Raw> = Object
 /// Function of communication EI3, `3002:0B`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication input 3.
-/// Manual: 6.3.4 L1369, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EI3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0B);
@@ -2837,10 +2840,10 @@ pub const FUNCTION_OF_COMMUNICATION_EI3: Object<i32, Rw, Unmapped, Raw> = Object
 /// Function of communication EI4, `3002:0C`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication input 4.
-/// Manual: 6.3.4 L1369, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EI4: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0C);
@@ -2848,10 +2851,10 @@ pub const FUNCTION_OF_COMMUNICATION_EI4: Object<i32, Rw, Unmapped, Raw> = Object
 /// Function of communication EI5, `3002:0D`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication input 5.
-/// Manual: 6.3.4 L1369, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EI5: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0D);
@@ -2859,10 +2862,10 @@ pub const FUNCTION_OF_COMMUNICATION_EI5: Object<i32, Rw, Unmapped, Raw> = Object
 /// Function of communication EI6, `3002:0E`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication input 6.
-/// Manual: 6.3.4 L1369, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EI6: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0E);
@@ -2870,10 +2873,10 @@ pub const FUNCTION_OF_COMMUNICATION_EI6: Object<i32, Rw, Unmapped, Raw> = Object
 /// Function of communication EI7, `3002:0F`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication input 7.
-/// Manual: 6.3.4 L1369, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EI7: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0F);
@@ -2881,10 +2884,10 @@ pub const FUNCTION_OF_COMMUNICATION_EI7: Object<i32, Rw, Unmapped, Raw> = Object
 /// Function of communication EI8, `3002:10`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication input 8.
-/// Manual: 6.3.4 L1369, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EI8: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x10);
@@ -2892,10 +2895,10 @@ pub const FUNCTION_OF_COMMUNICATION_EI8: Object<i32, Rw, Unmapped, Raw> = Object
 /// Function of communication EI9, `3002:11`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication input 9.
-/// Manual: 6.3.4 L1369, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EI9: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x11);
@@ -2903,10 +2906,10 @@ pub const FUNCTION_OF_COMMUNICATION_EI9: Object<i32, Rw, Unmapped, Raw> = Object
 /// Function of communication EI10, `3002:12`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication input 10.
-/// Manual: 6.3.4 L1369, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EI10: Object<i32, Rw, Unmapped, Raw> =
@@ -2915,10 +2918,10 @@ pub const FUNCTION_OF_COMMUNICATION_EI10: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EI11, `3002:13`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication input 11.
-/// Manual: 6.3.4 L1369, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EI11: Object<i32, Rw, Unmapped, Raw> =
@@ -2927,10 +2930,10 @@ pub const FUNCTION_OF_COMMUNICATION_EI11: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EI12, `3002:14`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication input 12.
-/// Manual: 6.3.4 L1369, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EI12: Object<i32, Rw, Unmapped, Raw> =
@@ -2939,10 +2942,10 @@ pub const FUNCTION_OF_COMMUNICATION_EI12: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EI13, `3002:15`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication input 13.
-/// Manual: 6.3.4 L1369, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EI13: Object<i32, Rw, Unmapped, Raw> =
@@ -2951,10 +2954,10 @@ pub const FUNCTION_OF_COMMUNICATION_EI13: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EI14, `3002:16`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication input 14.
-/// Manual: 6.3.4 L1369, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EI14: Object<i32, Rw, Unmapped, Raw> =
@@ -2963,10 +2966,10 @@ pub const FUNCTION_OF_COMMUNICATION_EI14: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EI15, `3002:17`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication input 15.
-/// Manual: 6.3.4 L1369, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EI15: Object<i32, Rw, Unmapped, Raw> =
@@ -2975,10 +2978,10 @@ pub const FUNCTION_OF_COMMUNICATION_EI15: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EI16, `3002:18`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication input 16.
-/// Manual: 6.3.4 L1369, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1369.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EI16: Object<i32, Rw, Unmapped, Raw> =
@@ -2988,7 +2991,7 @@ pub const FUNCTION_OF_COMMUNICATION_EI16: Object<i32, Rw, Unmapped, Raw> =
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_25: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x19);
 
@@ -2996,7 +2999,7 @@ pub const SERVO_PARAMETER_GROUP_3_25: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_26: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x1A);
 
@@ -3004,7 +3007,7 @@ pub const SERVO_PARAMETER_GROUP_3_26: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_27: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x1B);
 
@@ -3012,7 +3015,7 @@ pub const SERVO_PARAMETER_GROUP_3_27: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_28: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x1C);
 
@@ -3020,7 +3023,7 @@ pub const SERVO_PARAMETER_GROUP_3_28: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_29: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x1D);
 
@@ -3028,7 +3031,7 @@ pub const SERVO_PARAMETER_GROUP_3_29: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_30: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x1E);
 
@@ -3036,7 +3039,7 @@ pub const SERVO_PARAMETER_GROUP_3_30: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_31: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x1F);
 
@@ -3044,7 +3047,7 @@ pub const SERVO_PARAMETER_GROUP_3_31: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_32: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x20);
 
@@ -3052,7 +3055,7 @@ pub const SERVO_PARAMETER_GROUP_3_32: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_33: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x21);
 
@@ -3060,7 +3063,7 @@ pub const SERVO_PARAMETER_GROUP_3_33: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_34: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x22);
 
@@ -3068,7 +3071,7 @@ pub const SERVO_PARAMETER_GROUP_3_34: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_35: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x23);
 
@@ -3076,7 +3079,7 @@ pub const SERVO_PARAMETER_GROUP_3_35: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_36: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x24);
 
@@ -3084,7 +3087,7 @@ pub const SERVO_PARAMETER_GROUP_3_36: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_37: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x25);
 
@@ -3092,7 +3095,7 @@ pub const SERVO_PARAMETER_GROUP_3_37: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_38: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x26);
 
@@ -3100,7 +3103,7 @@ pub const SERVO_PARAMETER_GROUP_3_38: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_39: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x27);
 
@@ -3108,7 +3111,7 @@ pub const SERVO_PARAMETER_GROUP_3_39: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_40: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x28);
 
@@ -3116,7 +3119,7 @@ pub const SERVO_PARAMETER_GROUP_3_40: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_41: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x29);
 
@@ -3124,7 +3127,7 @@ pub const SERVO_PARAMETER_GROUP_3_41: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_42: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x2A);
 
@@ -3132,7 +3135,7 @@ pub const SERVO_PARAMETER_GROUP_3_42: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_43: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x2B);
 
@@ -3140,7 +3143,7 @@ pub const SERVO_PARAMETER_GROUP_3_43: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_44: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x2C);
 
@@ -3148,7 +3151,7 @@ pub const SERVO_PARAMETER_GROUP_3_44: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_45: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x2D);
 
@@ -3156,7 +3159,7 @@ pub const SERVO_PARAMETER_GROUP_3_45: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_46: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x2E);
 
@@ -3164,7 +3167,7 @@ pub const SERVO_PARAMETER_GROUP_3_46: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_47: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x2F);
 
@@ -3172,7 +3175,7 @@ pub const SERVO_PARAMETER_GROUP_3_47: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_48: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x30);
 
@@ -3180,7 +3183,7 @@ pub const SERVO_PARAMETER_GROUP_3_48: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_49: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x31);
 
@@ -3188,17 +3191,17 @@ pub const SERVO_PARAMETER_GROUP_3_49: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_50: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x32);
 
 /// Function of EOUT1, `3002:33`: INTEGER32, rw, not mapped.
 ///
 /// Function number of hardware output EOUT1.
-/// Manual: 6.3.4 L1371, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1371.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; three outputs and three parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_EOUT1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x33);
@@ -3206,10 +3209,10 @@ pub const FUNCTION_OF_EOUT1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002
 /// Function of EOUT2, `3002:34`: INTEGER32, rw, not mapped.
 ///
 /// Function number of hardware output EOUT2.
-/// Manual: 6.3.4 L1371, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1371.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; three outputs and three parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_EOUT2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x34);
@@ -3217,10 +3220,10 @@ pub const FUNCTION_OF_EOUT2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002
 /// Function of EOUT3, `3002:35`: INTEGER32, rw, not mapped.
 ///
 /// Function number of hardware output EOUT3.
-/// Manual: 6.3.4 L1371, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1371.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; three outputs and three parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_EOUT3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x35);
@@ -3229,7 +3232,7 @@ pub const FUNCTION_OF_EOUT3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_54: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x36);
 
@@ -3237,17 +3240,17 @@ pub const SERVO_PARAMETER_GROUP_3_54: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_55: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x37);
 
 /// Function of communication EOUT1, `3002:38`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication output 1.
-/// Manual: 6.3.4 L1373, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT1: Object<i32, Rw, Unmapped, Raw> =
@@ -3256,10 +3259,10 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT1: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EOUT2, `3002:39`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication output 2.
-/// Manual: 6.3.4 L1373, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT2: Object<i32, Rw, Unmapped, Raw> =
@@ -3268,10 +3271,10 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT2: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EOUT3, `3002:3A`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication output 3.
-/// Manual: 6.3.4 L1373, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT3: Object<i32, Rw, Unmapped, Raw> =
@@ -3280,10 +3283,10 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT3: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EOUT4, `3002:3B`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication output 4.
-/// Manual: 6.3.4 L1373, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT4: Object<i32, Rw, Unmapped, Raw> =
@@ -3292,10 +3295,10 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT4: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EOUT5, `3002:3C`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication output 5.
-/// Manual: 6.3.4 L1373, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT5: Object<i32, Rw, Unmapped, Raw> =
@@ -3304,10 +3307,10 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT5: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EOUT6, `3002:3D`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication output 6.
-/// Manual: 6.3.4 L1373, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT6: Object<i32, Rw, Unmapped, Raw> =
@@ -3316,10 +3319,10 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT6: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EOUT7, `3002:3E`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication output 7.
-/// Manual: 6.3.4 L1373, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT7: Object<i32, Rw, Unmapped, Raw> =
@@ -3328,10 +3331,10 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT7: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EOUT8, `3002:3F`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication output 8.
-/// Manual: 6.3.4 L1373, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT8: Object<i32, Rw, Unmapped, Raw> =
@@ -3340,10 +3343,10 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT8: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EOUT9, `3002:40`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication output 9.
-/// Manual: 6.3.4 L1373, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT9: Object<i32, Rw, Unmapped, Raw> =
@@ -3352,10 +3355,10 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT9: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EOUT10, `3002:41`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication output 10.
-/// Manual: 6.3.4 L1373, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT10: Object<i32, Rw, Unmapped, Raw> =
@@ -3364,10 +3367,10 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT10: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EOUT11, `3002:42`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication output 11.
-/// Manual: 6.3.4 L1373, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT11: Object<i32, Rw, Unmapped, Raw> =
@@ -3376,10 +3379,10 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT11: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EOUT12, `3002:43`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication output 12.
-/// Manual: 6.3.4 L1373, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT12: Object<i32, Rw, Unmapped, Raw> =
@@ -3388,10 +3391,10 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT12: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EOUT13, `3002:44`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication output 13.
-/// Manual: 6.3.4 L1373, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT13: Object<i32, Rw, Unmapped, Raw> =
@@ -3400,10 +3403,10 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT13: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EOUT14, `3002:45`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication output 14.
-/// Manual: 6.3.4 L1373, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT14: Object<i32, Rw, Unmapped, Raw> =
@@ -3412,10 +3415,10 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT14: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EOUT15, `3002:46`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication output 15.
-/// Manual: 6.3.4 L1373, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT15: Object<i32, Rw, Unmapped, Raw> =
@@ -3424,10 +3427,10 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT15: Object<i32, Rw, Unmapped, Raw> =
 /// Function of communication EOUT16, `3002:47`: INTEGER32, rw, not mapped.
 ///
 /// Function number of communication output 16.
-/// Manual: 6.3.4 L1373, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3.4 L1373.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT16: Object<i32, Rw, Unmapped, Raw> =
@@ -3437,7 +3440,7 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT16: Object<i32, Rw, Unmapped, Raw> =
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_72: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x48);
 
@@ -3445,7 +3448,7 @@ pub const SERVO_PARAMETER_GROUP_3_72: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_73: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x49);
 
@@ -3453,7 +3456,7 @@ pub const SERVO_PARAMETER_GROUP_3_73: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_74: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x4A);
 
@@ -3461,7 +3464,7 @@ pub const SERVO_PARAMETER_GROUP_3_74: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_75: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x4B);
 
@@ -3469,7 +3472,7 @@ pub const SERVO_PARAMETER_GROUP_3_75: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_76: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x4C);
 
@@ -3477,7 +3480,7 @@ pub const SERVO_PARAMETER_GROUP_3_76: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_77: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x4D);
 
@@ -3485,7 +3488,7 @@ pub const SERVO_PARAMETER_GROUP_3_77: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_78: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x4E);
 
@@ -3493,7 +3496,7 @@ pub const SERVO_PARAMETER_GROUP_3_78: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_79: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x4F);
 
@@ -3501,7 +3504,7 @@ pub const SERVO_PARAMETER_GROUP_3_79: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_80: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x50);
 
@@ -3509,7 +3512,7 @@ pub const SERVO_PARAMETER_GROUP_3_80: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_81: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x51);
 
@@ -3517,7 +3520,7 @@ pub const SERVO_PARAMETER_GROUP_3_81: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_82: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x52);
 
@@ -3525,7 +3528,7 @@ pub const SERVO_PARAMETER_GROUP_3_82: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_83: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x53);
 
@@ -3533,7 +3536,7 @@ pub const SERVO_PARAMETER_GROUP_3_83: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_84: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x54);
 
@@ -3541,7 +3544,7 @@ pub const SERVO_PARAMETER_GROUP_3_84: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_85: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x55);
 
@@ -3549,7 +3552,7 @@ pub const SERVO_PARAMETER_GROUP_3_85: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_86: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x56);
 
@@ -3557,7 +3560,7 @@ pub const SERVO_PARAMETER_GROUP_3_86: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_87: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x57);
 
@@ -3565,7 +3568,7 @@ pub const SERVO_PARAMETER_GROUP_3_87: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_88: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x58);
 
@@ -3573,19 +3576,19 @@ pub const SERVO_PARAMETER_GROUP_3_88: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// Sampling time of the speed that 606Ch reports.
 /// Only 0, 1, 2, 3, 4, 5, 6, 7; default 1.
-/// Manual: 2.4 L143, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1275, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 2.4 L143.
+/// Manual, the type: 6.3 T6-3 L1275.
+/// Manual, the access: 6.3 T6-3 L1275.
+/// Manual, the mapping: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const FEEDBACK_SPEED_SAMPLING_TIME: Object<enums::SpeedSamplingTime, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x59);
+    Object::new(0x3002, 0x59).allow(&[0, 1, 2, 3, 4, 5, 6, 7]);
 
 /// Servo Parameter Group 3, `3002:5A`: INTEGER32, rw, not mapped.
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_90: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x5A);
 
@@ -3593,7 +3596,7 @@ pub const SERVO_PARAMETER_GROUP_3_90: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_91: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x5B);
 
@@ -3601,7 +3604,7 @@ pub const SERVO_PARAMETER_GROUP_3_91: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_92: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x5C);
 
@@ -3609,7 +3612,7 @@ pub const SERVO_PARAMETER_GROUP_3_92: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_93: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x5D);
 
@@ -3617,7 +3620,7 @@ pub const SERVO_PARAMETER_GROUP_3_93: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_94: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x5E);
 
@@ -3625,7 +3628,7 @@ pub const SERVO_PARAMETER_GROUP_3_94: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_95: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x5F);
 
@@ -3633,7 +3636,7 @@ pub const SERVO_PARAMETER_GROUP_3_95: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_96: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x60);
 
@@ -3641,7 +3644,7 @@ pub const SERVO_PARAMETER_GROUP_3_96: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_97: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x61);
 
@@ -3649,7 +3652,7 @@ pub const SERVO_PARAMETER_GROUP_3_97: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_98: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x62);
 
@@ -3657,7 +3660,7 @@ pub const SERVO_PARAMETER_GROUP_3_98: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 3.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1275, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
 pub const SERVO_PARAMETER_GROUP_3_99: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x63);
 
@@ -3674,10 +3677,10 @@ pub const NUMBER_OF_SERVO_PARA_GROUP4: Object<u8, Ro, Unmapped, Raw> = Object::n
 ///
 /// Node address, used when P4.02 is 1.
 /// 1 to 65535; default 1.
-/// Manual: 2.4 L146 L154, 3.7 L287, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1277, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1277, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 2.4 L146 L154, 3.7 L287.
+/// Manual, the type: 6.3 T6-3 L1277.
+/// Manual, the access: 6.3 T6-3 L1277.
+/// Manual, the mapping: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const ECAT_NODE_ID: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x01).range(1, 65_535);
 
@@ -3685,22 +3688,22 @@ pub const ECAT_NODE_ID: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0
 ///
 /// Where the node address comes from.
 /// Only 0, 1; default 0.
-/// Manual: 2.4 L147 L154, 3.7 L286 L287, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1277, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1277, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 2.4 L147 L154, 3.7 L286 L287.
+/// Manual, the type: 6.3 T6-3 L1277.
+/// Manual, the access: 6.3 T6-3 L1277.
+/// Manual, the mapping: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const ECAT_NODE_ID_SETTING: Object<enums::NodeIdSetting, Rw, Unmapped, Raw> =
-    Object::new(0x3003, 0x02);
+    Object::new(0x3003, 0x02).allow(&[0, 1]);
 
 /// Data synchronization Detection setting, `3003:03`: INTEGER32, rw, not mapped.
 ///
 /// 0: off. 1 to 99: an alarm when data is lost so many times in a row. For the cyclic synchronous modes.
 /// 0 to 99; default 0.
-/// Manual: 2.4 L148 L154, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1277, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1277, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 2.4 L148 L154.
+/// Manual, the type: 6.3 T6-3 L1277.
+/// Manual, the access: 6.3 T6-3 L1277.
+/// Manual, the mapping: 6.3 T6-3 L1277.
 ///
 /// Erratum E110, text: printed "0: off. 1 to 99: an alarm when data is lost so many times in a row. For the cyclic synchronous modes.", kept. The row calls the alarm a data loss alarm, a name that table 5-1 does not have; cSD names this parameter among its remedies. Kept.
 #[doc(alias = "3003")]
@@ -3711,19 +3714,19 @@ pub const DATA_SYNCHRONIZATION_DETECTION_SETTING: Object<enums::DataSynchronizat
 ///
 /// What happens in cyclic synchronous position mode when a position is missing.
 /// Only 0, 1; default 1.
-/// Manual: 2.4 L149 L154, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1277, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1277, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 2.4 L149 L154.
+/// Manual, the type: 6.3 T6-3 L1277.
+/// Manual, the access: 6.3 T6-3 L1277.
+/// Manual, the mapping: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const DATA_LOSS_PROCESSING_SETTINGS: Object<enums::DataLossProcessing, Rw, Unmapped, Raw> =
-    Object::new(0x3003, 0x04);
+    Object::new(0x3003, 0x04).allow(&[0, 1]);
 
 /// Servo Parameter Group 4, `3003:05`: INTEGER32, rw, not mapped.
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_5: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x05);
 
@@ -3731,7 +3734,7 @@ pub const SERVO_PARAMETER_GROUP_4_5: Object<i32, Rw, Unmapped, Raw> = Object::ne
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_6: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x06);
 
@@ -3739,7 +3742,7 @@ pub const SERVO_PARAMETER_GROUP_4_6: Object<i32, Rw, Unmapped, Raw> = Object::ne
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_7: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x07);
 
@@ -3747,7 +3750,7 @@ pub const SERVO_PARAMETER_GROUP_4_7: Object<i32, Rw, Unmapped, Raw> = Object::ne
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_8: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x08);
 
@@ -3756,10 +3759,10 @@ pub const SERVO_PARAMETER_GROUP_4_8: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Shift of the time at which inputs are latched: 26000 + value \* 62500.
 /// 0 to 160; default 0.
 /// Note: 3.5.1 prints another formula and that it takes effect after power-on: see E107 and E108.
-/// Manual: 2.4 L150, 3.5.1 L255, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1277, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1277, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 2.4 L150, 3.5.1 L255.
+/// Manual, the type: 6.3 T6-3 L1277.
+/// Manual, the access: 6.3 T6-3 L1277.
+/// Manual, the mapping: 6.3 T6-3 L1277.
 ///
 /// Erratum E107, text: printed "Shift of the time at which inputs are latched: 26000 + value \* 62500.", kept. 3.5.1 has no 26000 and wants multiples of 62500 in 1C33:03, which the sum never is; without it the highest value, 160, is exactly the longest cycle of 10 ms. Kept; read 1C33:03 after power-on.
 ///
@@ -3772,7 +3775,7 @@ pub const INPUT_SHIFT_TIME_SETTING: Object<i32, Rw, Unmapped, Raw> =
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_10: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0A);
 
@@ -3780,7 +3783,7 @@ pub const SERVO_PARAMETER_GROUP_4_10: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_11: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0B);
 
@@ -3788,7 +3791,7 @@ pub const SERVO_PARAMETER_GROUP_4_11: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_12: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0C);
 
@@ -3796,7 +3799,7 @@ pub const SERVO_PARAMETER_GROUP_4_12: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_13: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0D);
 
@@ -3804,7 +3807,7 @@ pub const SERVO_PARAMETER_GROUP_4_13: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_14: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0E);
 
@@ -3812,21 +3815,21 @@ pub const SERVO_PARAMETER_GROUP_4_14: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// Format of the values that concern commanded speed.
 /// Only 0, 1; default 0.
-/// Manual: 2.4 L151, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1277, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1277, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 2.4 L151.
+/// Manual, the type: 6.3 T6-3 L1277.
+/// Manual, the access: 6.3 T6-3 L1277.
+/// Manual, the mapping: 6.3 T6-3 L1277.
 ///
 /// Erratum E111, values: printed "speed command format", kept. It is said to concern commands; the tables mark actual values (606B, 606C) as switchable too. Which of several parameters the note means is not printed. Kept.
 #[doc(alias = "3003")]
 pub const SPEED_COMMAND_FORMAT: Object<enums::SpeedCommandFormat, Rw, Unmapped, Raw> =
-    Object::new(0x3003, 0x0F);
+    Object::new(0x3003, 0x0F).allow(&[0, 1]);
 
 /// Servo Parameter Group 4, `3003:10`: INTEGER32, rw, not mapped.
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_16: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x10);
 
@@ -3835,10 +3838,10 @@ pub const SERVO_PARAMETER_GROUP_4_16: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// The object that panel page dp-12 shows: index in the upper 4 hexadecimal digits, sub-index in the lower 2.
 /// Default 6308096 (00604100h).
 /// Note: The default has 4 digits of index and 2 digits of sub-index: see E109.
-/// Manual: 2.4 L152, 6.3 L1343.
-/// Manual, the type: 6.3 T6-3 L1277, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1277, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 2.4 L152.
+/// Manual, the type: 6.3 T6-3 L1277.
+/// Manual, the access: 6.3 T6-3 L1277.
+/// Manual, the mapping: 6.3 T6-3 L1277.
 ///
 /// Erratum E109, text: printed "The object that panel page dp-12 shows: index in the upper 4 bytes, sub-index in the lower 2 bytes.", used "The object that panel page dp-12 shows: index in the upper 4 hexadecimal digits, sub-index in the lower 2.". Digits, not bytes: the default 604100h is 6041h and 00h, an index has 2 bytes, and every parameter has 4 bytes in all.
 #[doc(alias = "3003")]
@@ -3848,7 +3851,7 @@ pub const OBJECT_MONITORING: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_18: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x12);
 
@@ -3856,7 +3859,7 @@ pub const SERVO_PARAMETER_GROUP_4_18: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_19: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x13);
 
@@ -3864,7 +3867,7 @@ pub const SERVO_PARAMETER_GROUP_4_19: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_20: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x14);
 
@@ -3872,7 +3875,7 @@ pub const SERVO_PARAMETER_GROUP_4_20: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_21: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x15);
 
@@ -3880,7 +3883,7 @@ pub const SERVO_PARAMETER_GROUP_4_21: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_22: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x16);
 
@@ -3888,7 +3891,7 @@ pub const SERVO_PARAMETER_GROUP_4_22: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_23: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x17);
 
@@ -3896,7 +3899,7 @@ pub const SERVO_PARAMETER_GROUP_4_23: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_24: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x18);
 
@@ -3904,7 +3907,7 @@ pub const SERVO_PARAMETER_GROUP_4_24: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_25: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x19);
 
@@ -3912,7 +3915,7 @@ pub const SERVO_PARAMETER_GROUP_4_25: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_26: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x1A);
 
@@ -3920,7 +3923,7 @@ pub const SERVO_PARAMETER_GROUP_4_26: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_27: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x1B);
 
@@ -3928,7 +3931,7 @@ pub const SERVO_PARAMETER_GROUP_4_27: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_28: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x1C);
 
@@ -3936,7 +3939,7 @@ pub const SERVO_PARAMETER_GROUP_4_28: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_29: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x1D);
 
@@ -3944,7 +3947,7 @@ pub const SERVO_PARAMETER_GROUP_4_29: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_30: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x1E);
 
@@ -3952,7 +3955,7 @@ pub const SERVO_PARAMETER_GROUP_4_30: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_31: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x1F);
 
@@ -3960,7 +3963,7 @@ pub const SERVO_PARAMETER_GROUP_4_31: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_32: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x20);
 
@@ -3968,7 +3971,7 @@ pub const SERVO_PARAMETER_GROUP_4_32: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_33: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x21);
 
@@ -3976,7 +3979,7 @@ pub const SERVO_PARAMETER_GROUP_4_33: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_34: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x22);
 
@@ -3984,7 +3987,7 @@ pub const SERVO_PARAMETER_GROUP_4_34: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_35: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x23);
 
@@ -3992,7 +3995,7 @@ pub const SERVO_PARAMETER_GROUP_4_35: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_36: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x24);
 
@@ -4000,7 +4003,7 @@ pub const SERVO_PARAMETER_GROUP_4_36: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_37: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x25);
 
@@ -4008,7 +4011,7 @@ pub const SERVO_PARAMETER_GROUP_4_37: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_38: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x26);
 
@@ -4016,7 +4019,7 @@ pub const SERVO_PARAMETER_GROUP_4_38: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_39: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x27);
 
@@ -4024,7 +4027,7 @@ pub const SERVO_PARAMETER_GROUP_4_39: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_40: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x28);
 
@@ -4032,7 +4035,7 @@ pub const SERVO_PARAMETER_GROUP_4_40: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_41: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x29);
 
@@ -4040,7 +4043,7 @@ pub const SERVO_PARAMETER_GROUP_4_41: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_42: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x2A);
 
@@ -4048,7 +4051,7 @@ pub const SERVO_PARAMETER_GROUP_4_42: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_43: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x2B);
 
@@ -4056,7 +4059,7 @@ pub const SERVO_PARAMETER_GROUP_4_43: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_44: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x2C);
 
@@ -4064,7 +4067,7 @@ pub const SERVO_PARAMETER_GROUP_4_44: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_45: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x2D);
 
@@ -4072,7 +4075,7 @@ pub const SERVO_PARAMETER_GROUP_4_45: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_46: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x2E);
 
@@ -4080,7 +4083,7 @@ pub const SERVO_PARAMETER_GROUP_4_46: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_47: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x2F);
 
@@ -4088,7 +4091,7 @@ pub const SERVO_PARAMETER_GROUP_4_47: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_48: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x30);
 
@@ -4096,7 +4099,7 @@ pub const SERVO_PARAMETER_GROUP_4_48: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_49: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x31);
 
@@ -4104,7 +4107,7 @@ pub const SERVO_PARAMETER_GROUP_4_49: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_50: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x32);
 
@@ -4112,7 +4115,7 @@ pub const SERVO_PARAMETER_GROUP_4_50: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_51: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x33);
 
@@ -4120,7 +4123,7 @@ pub const SERVO_PARAMETER_GROUP_4_51: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_52: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x34);
 
@@ -4128,7 +4131,7 @@ pub const SERVO_PARAMETER_GROUP_4_52: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_53: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x35);
 
@@ -4136,7 +4139,7 @@ pub const SERVO_PARAMETER_GROUP_4_53: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_54: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x36);
 
@@ -4144,7 +4147,7 @@ pub const SERVO_PARAMETER_GROUP_4_54: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_55: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x37);
 
@@ -4152,7 +4155,7 @@ pub const SERVO_PARAMETER_GROUP_4_55: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_56: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x38);
 
@@ -4160,7 +4163,7 @@ pub const SERVO_PARAMETER_GROUP_4_56: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_57: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x39);
 
@@ -4168,7 +4171,7 @@ pub const SERVO_PARAMETER_GROUP_4_57: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_58: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x3A);
 
@@ -4176,7 +4179,7 @@ pub const SERVO_PARAMETER_GROUP_4_58: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_59: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x3B);
 
@@ -4184,7 +4187,7 @@ pub const SERVO_PARAMETER_GROUP_4_59: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_60: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x3C);
 
@@ -4192,7 +4195,7 @@ pub const SERVO_PARAMETER_GROUP_4_60: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_61: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x3D);
 
@@ -4200,7 +4203,7 @@ pub const SERVO_PARAMETER_GROUP_4_61: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_62: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x3E);
 
@@ -4208,7 +4211,7 @@ pub const SERVO_PARAMETER_GROUP_4_62: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_63: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x3F);
 
@@ -4216,7 +4219,7 @@ pub const SERVO_PARAMETER_GROUP_4_63: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_64: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x40);
 
@@ -4224,7 +4227,7 @@ pub const SERVO_PARAMETER_GROUP_4_64: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_65: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x41);
 
@@ -4232,7 +4235,7 @@ pub const SERVO_PARAMETER_GROUP_4_65: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_66: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x42);
 
@@ -4240,7 +4243,7 @@ pub const SERVO_PARAMETER_GROUP_4_66: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_67: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x43);
 
@@ -4248,7 +4251,7 @@ pub const SERVO_PARAMETER_GROUP_4_67: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_68: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x44);
 
@@ -4256,7 +4259,7 @@ pub const SERVO_PARAMETER_GROUP_4_68: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_69: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x45);
 
@@ -4264,7 +4267,7 @@ pub const SERVO_PARAMETER_GROUP_4_69: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_70: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x46);
 
@@ -4272,7 +4275,7 @@ pub const SERVO_PARAMETER_GROUP_4_70: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_71: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x47);
 
@@ -4280,7 +4283,7 @@ pub const SERVO_PARAMETER_GROUP_4_71: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_72: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x48);
 
@@ -4288,7 +4291,7 @@ pub const SERVO_PARAMETER_GROUP_4_72: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_73: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x49);
 
@@ -4296,7 +4299,7 @@ pub const SERVO_PARAMETER_GROUP_4_73: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_74: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x4A);
 
@@ -4304,7 +4307,7 @@ pub const SERVO_PARAMETER_GROUP_4_74: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_75: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x4B);
 
@@ -4312,7 +4315,7 @@ pub const SERVO_PARAMETER_GROUP_4_75: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_76: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x4C);
 
@@ -4320,7 +4323,7 @@ pub const SERVO_PARAMETER_GROUP_4_76: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_77: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x4D);
 
@@ -4328,7 +4331,7 @@ pub const SERVO_PARAMETER_GROUP_4_77: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_78: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x4E);
 
@@ -4336,7 +4339,7 @@ pub const SERVO_PARAMETER_GROUP_4_78: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_79: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x4F);
 
@@ -4344,7 +4347,7 @@ pub const SERVO_PARAMETER_GROUP_4_79: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_80: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x50);
 
@@ -4352,7 +4355,7 @@ pub const SERVO_PARAMETER_GROUP_4_80: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_81: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x51);
 
@@ -4360,7 +4363,7 @@ pub const SERVO_PARAMETER_GROUP_4_81: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_82: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x52);
 
@@ -4368,7 +4371,7 @@ pub const SERVO_PARAMETER_GROUP_4_82: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_83: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x53);
 
@@ -4376,7 +4379,7 @@ pub const SERVO_PARAMETER_GROUP_4_83: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_84: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x54);
 
@@ -4384,7 +4387,7 @@ pub const SERVO_PARAMETER_GROUP_4_84: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_85: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x55);
 
@@ -4392,7 +4395,7 @@ pub const SERVO_PARAMETER_GROUP_4_85: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_86: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x56);
 
@@ -4400,7 +4403,7 @@ pub const SERVO_PARAMETER_GROUP_4_86: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_87: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x57);
 
@@ -4408,7 +4411,7 @@ pub const SERVO_PARAMETER_GROUP_4_87: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_88: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x58);
 
@@ -4416,7 +4419,7 @@ pub const SERVO_PARAMETER_GROUP_4_88: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_89: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x59);
 
@@ -4424,7 +4427,7 @@ pub const SERVO_PARAMETER_GROUP_4_89: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_90: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x5A);
 
@@ -4432,7 +4435,7 @@ pub const SERVO_PARAMETER_GROUP_4_90: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_91: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x5B);
 
@@ -4440,7 +4443,7 @@ pub const SERVO_PARAMETER_GROUP_4_91: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_92: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x5C);
 
@@ -4448,7 +4451,7 @@ pub const SERVO_PARAMETER_GROUP_4_92: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_93: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x5D);
 
@@ -4456,7 +4459,7 @@ pub const SERVO_PARAMETER_GROUP_4_93: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_94: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x5E);
 
@@ -4464,7 +4467,7 @@ pub const SERVO_PARAMETER_GROUP_4_94: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_95: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x5F);
 
@@ -4472,7 +4475,7 @@ pub const SERVO_PARAMETER_GROUP_4_95: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_96: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x60);
 
@@ -4480,7 +4483,7 @@ pub const SERVO_PARAMETER_GROUP_4_96: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_97: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x61);
 
@@ -4488,7 +4491,7 @@ pub const SERVO_PARAMETER_GROUP_4_97: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_98: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x62);
 
@@ -4496,7 +4499,7 @@ pub const SERVO_PARAMETER_GROUP_4_98: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// As for 3000h, of parameter group 4.
 /// Note: Range and default are those of the parameter, in the drive manual.
-/// Manual: 6.3 T6-3 L1277, 6.3 L1343.
+/// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 pub const SERVO_PARAMETER_GROUP_4_99: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x63);
 
@@ -4834,15 +4837,12 @@ pub const THE_NUMBER_OF_ALARMS_THAT_CURRENTLY_EXIST: Object<u8, Ro, Unmapped, Ra
 /// Alarm code 1, `3202:01`: UNSIGNED8, ro, not mapped.
 ///
 /// Default 0.
-/// Manual: 6.3 T6-3 L1317.
-/// Manual, the type: 6.3 T6-3 L1316.
-/// Manual, the access: 6.3 T6-3 L1316.
-/// Manual, the mapping: 6.3 T6-3 L1316.
-/// Manual, the default: 6.3 T6-3 L1316.
+/// Manual: 6.3 T6-3 L1316.
+/// The name is inferred: A space is lost; the rows below have it (L1317).
 ///
 /// Erratum E058, type: printed "u8", kept. Codes of table 5-1 have 16 bits and do not fit, in this and the nine rows below it; the numbers of the same table do. Kept: it must be the number.
 ///
-/// Erratum E059, name: printed "Alarm code1", used "Alarm code 1". A space is lost; the rows below have it.
+/// Erratum E059, name: printed "Alarm code1", used "Alarm code 1". A space is lost; the rows below have it (L1317).
 #[doc(alias = "3202")]
 pub const ALARM_CODE_1: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x01);
 
@@ -4922,7 +4922,7 @@ pub const EI_SIGNAL: Object<u8, Ro, Unmapped, Raw> = Object::new(0x4000, 0x00);
 ///
 /// The five inputs of the drive; P3.01 to P3.05 give them their functions.
 /// 0 to 255; default 0.
-/// Manual: 6.3 T6-3 L1327, 6.3.4 L367.
+/// Manual: 6.3 T6-3 L1327, 6.3.4 L1367.
 ///
 /// Erratum E060, max: printed 255, kept. The drive has five hardware inputs, so that three bits have none. Kept; the order of the bits is not printed.
 #[doc(alias = "4000")]
@@ -4932,7 +4932,7 @@ pub const HARDWARE_EI_SIGNAL: Object<u8, Ro, Tx, Raw> = Object::new(0x4000, 0x01
 ///
 /// Sixteen inputs that the master sets; P3.09 to P3.24 give them their functions.
 /// 0 to 65535; default 0.
-/// Manual: 6.3 T6-3 L1328, 6.3.4 L365 L369.
+/// Manual: 6.3 T6-3 L1328, 6.3.4 L1365 L1369.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "4000")]
 pub const COMMUNICATION_EI_SIGNAL: Object<u16, Rw, RxTx, Raw> =
@@ -4951,7 +4951,7 @@ pub const EOUT_SIGNAL: Object<u8, Ro, Unmapped, Raw> = Object::new(0x4001, 0x00)
 ///
 /// The three outputs of the drive; P3.51 to P3.53 give them their functions.
 /// 0 to 255; default 0.
-/// Manual: 6.3 T6-3 L1330, 6.3.4 L371.
+/// Manual: 6.3 T6-3 L1330, 6.3.4 L1371.
 ///
 /// Erratum E061, max: printed 255, kept. The drive has three hardware outputs, so that five bits have none. Kept; the order of the bits is not printed.
 #[doc(alias = "4001")]
@@ -4961,7 +4961,7 @@ pub const HARDWARE_EOUT_SIGNAL: Object<u8, Ro, Tx, Raw> = Object::new(0x4001, 0x
 ///
 /// Sixteen outputs that the master reads; P3.56 to P3.71 give them their functions.
 /// 0 to 65535; default 0.
-/// Manual: 6.3 T6-3 L1331, 6.3.4 L373.
+/// Manual: 6.3 T6-3 L1331, 6.3.4 L1373.
 #[doc(alias = "4001")]
 pub const COMMUNICATION_EOUT_SIGNAL: Object<u16, Ro, Tx, Raw> =
     Object::new(0x4001, 0x02).range(0, 65_535);
@@ -5000,7 +5000,7 @@ pub const STATUS_WORD: Object<bits::Statusword, Ro, Tx, Raw> = Object::new(0x604
 /// Erratum E034, name: printed "Quickstop Option Code", kept. 4.2 has Quick stop Option Code. Kept; the two differ by a space and a capital.
 #[doc(alias = "605A")]
 pub const QUICKSTOP_OPTION_CODE: Object<enums::QuickStopOption, Rw, Unmapped, Raw> =
-    Object::new(0x605A, 0x00);
+    Object::new(0x605A, 0x00).allow(&[0, 1, 5]);
 
 /// Modes of Operation, `6060:00`: INTEGER8, rw, RxPDO and TxPDO.
 ///
@@ -5010,7 +5010,7 @@ pub const QUICKSTOP_OPTION_CODE: Object<enums::QuickStopOption, Rw, Unmapped, Ra
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "6060")]
 pub const MODES_OF_OPERATION: Object<enums::ModeOfOperation, Rw, RxTx, Raw> =
-    Object::new(0x6060, 0x00);
+    Object::new(0x6060, 0x00).allow(&[0, 1, 3, 4, 6, 8, 9, 10]);
 
 /// Modes of Operation Display, `6061:00`: INTEGER8, ro, TxPDO.
 ///
@@ -5049,7 +5049,7 @@ pub const POSITION_ACTUAL_VALUE: Object<i32, Ro, Tx, UserPosition> = Object::new
 /// Manual: 6.2 T6-2 L1217.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E025, unit: printed "rev", kept. 4.2 and 4.3 have tenths of a revolution. A limit of at least 100 whole revolutions, 1966080 by default, is no following error: 1966080 is 15 times 2^17 and 104857600 is 100 times 2^20, so the numbers of 6.2 look like encoder counts. Which holds is not said. Dropped: a limit in a unit that is wrong by a factor of a million would be none; the numbers stay raw.
+/// Erratum E025, unit: printed "rev", dropped. 4.2 and 4.3 have tenths of a revolution. A limit of at least 100 whole revolutions, 1966080 by default, is no following error: 1966080 is 15 times 2^17 and 104857600 is 100 times 2^20, so the numbers of 6.2 look like encoder counts. Which holds is not said. Dropped: a limit in a unit that is wrong by a factor of a million would be none; the numbers stay raw.
 ///
 /// Erratum E026, min: printed 100, kept. 4.2 and 4.3 have 0.1 to 100.0 revolutions, 1 to 1000 counts of a tenth. As for E025. Kept.
 ///
@@ -5204,6 +5204,8 @@ pub const MIN_POSITION_LIMIT: Object<i32, Rw, RxTx, UserPosition> =
 /// Note: The range is one cell for both limits. The text extract splits the default.
 /// Manual: 6.2 T6-2 L1230 L1231.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
+///
+/// Erratum E118, min: printed -2000000000, kept. The range of 4.2 is one cell for both limits and has lost a zero: as for E001, which corrects the row that shows it. Kept.
 #[doc(alias = "607D")]
 pub const MAX_POSITION_LIMIT: Object<i32, Rw, RxTx, UserPosition> =
     Object::new(0x607D, 0x02).range(-2_000_000_000, 2_000_000_000);
@@ -5371,14 +5373,16 @@ pub const POSITION_OFFSET: Object<i32, Rw, RxTx, UserPosition> =
 /// Manual: 6.2 T6-2 L1248.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "60B8")]
-pub const TOUCH_PROBE_FUNCTION: Object<u16, Rw, RxTx, Raw> = Object::new(0x60B8, 0x00);
+pub const TOUCH_PROBE_FUNCTION: Object<bits::TouchProbeFunction, Rw, RxTx, Raw> =
+    Object::new(0x60B8, 0x00);
 
 /// Touch Probe Status, `60B9:00`: UNSIGNED16, ro, TxPDO.
 ///
 /// Default 0.
 /// Manual: 6.2 T6-2 L1249.
 #[doc(alias = "60B9")]
-pub const TOUCH_PROBE_STATUS: Object<u16, Ro, Tx, Raw> = Object::new(0x60B9, 0x00);
+pub const TOUCH_PROBE_STATUS: Object<bits::TouchProbeStatus, Ro, Tx, Raw> =
+    Object::new(0x60B9, 0x00);
 
 /// Touch probe pos1 pos value, `60BA:00`: INTEGER32, ro, TxPDO.
 ///

@@ -28,9 +28,9 @@ macro_rules! base {
 
 /// Every base.
 const BASES: &[Base] = &[
-    base!("cia301": "objects.toml" "enums.toml" "bits.toml"),
-    base!("cia402": "objects.toml" "enums.toml" "bits.toml"),
-    base!("coe": "objects.toml"),
+    base!("cia301": "objects.toml" "enums.toml" "bits.toml" "aborts.toml"),
+    base!("cia402": "objects.toml" "enums.toml" "bits.toml" "modes.toml" "states.toml" "commands.toml" "homing.toml"),
+    base!("coe": "objects.toml" "aborts.toml"),
 ];
 
 /// Every base, in the order in which drives name them.

@@ -184,8 +184,8 @@ fn one_choice_in_any_order() {
 enums = [ { name = "State of drive", value = 0, label = "off", src = "L1" }, { name = "state_of_drive", value = 1, label = "on", src = "L1" } ]
 bits = [ { name = "Ctl", bit = 1, label = "run", src = "L1" }, { name = "CTL", bit = 0, label = "stop", src = "L1" } ]
 homing = [
-  { method = 7, when = "home off", moves = "+ fast until home on; latch", src = "L2" },
-  { method = 7, when = "home on", moves = "- slow until home off; latch", text = "From the home.", src = "L2" },
+  { method = 7, when = "home off", moves = "+ fast until home on; - slow until home off; latch", text = "From the home.", src = "L2" },
+  { method = 7, when = "home on", moves = "- slow until home off; latch", src = "L2" },
 ]
 io = [ { terminal = "CN1", kind = "port", src = "L1" }, { terminal = "CN2", kind = "port", src = "L1" } ]
 "#;

@@ -1,10 +1,12 @@
 //! The section `Comments`: where the file comes from, what in it is assumed, corrected, or lost.
 
+use std::collections::BTreeSet;
+
 use super::assumed;
 use super::loss::list;
 use super::lower::Sheet;
 use crate::emit::escape;
-use crate::model::Model;
+use crate::model::{Entry, ErratumId, Model};
 
 /// Longest line: with `Line12345=` in front it stays well below the 255 characters of CiA 306.
 const WIDTH: usize = 120;
@@ -41,10 +43,15 @@ fn manual(manual: &crate::model::Manual) -> String {
     format!("Manual: {}, {}{date}", manual.title, manual.version)
 }
 
-/// Errata that changed an entry.
+/// Errata that changed an entry, entries of a range, or an index as a whole.
 fn corrected(model: &Model) -> Vec<String> {
-    let changes = model.errata.as_slice().iter().filter_map(|e| {
-        let (at, set) = (e.address?, e.set.as_ref()?);
+    let entries = model.entries.as_slice().iter().flat_map(Entry::origins);
+    let objects = model.objects.as_slice().iter().flat_map(|o| [&o.name.origin, &o.kind.origin]);
+    let ids: BTreeSet<ErratumId> = entries.chain(objects).filter_map(|o| o.erratum).collect();
+    let changes = model.errata.iter().filter(|(id, e)| e.address.is_some() || ids.contains(id));
+    let changes = changes.filter_map(|(_, e)| {
+        let set = e.set.as_deref().or_else(|| e.unset.then_some("left out"))?;
+        let at = e.address.map_or_else(|| e.at.clone(), |address| address.to_string());
         Some(format!("{at}: {} is {set}, printed {} (erratum {})", e.field, e.was, e.id))
     });
     let mut text: Vec<String> = changes.collect();

@@ -294,7 +294,7 @@ pub(super) fn example<'m>(model: &'m Model, example: &'m model::Example) -> Exam
     Example {
         id: &example.id,
         step: example.step,
-        write: maybe(model, example.write.as_ref(), |range| range.to_string()),
+        write: maybe(model, example.write.as_ref(), ToString::to_string),
         entry: maybe(model, example.entry.as_ref(), ToString::to_string),
         bits: maybe(model, example.bits.as_ref(), |b| *b),
         parameter: maybe(model, example.parameter.as_ref(), String::as_str),

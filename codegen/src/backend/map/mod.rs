@@ -48,12 +48,15 @@ fn widths(table: Table) -> (usize, usize) {
     match table {
         Table::Drive => (5, 18),
         Table::Manuals | Table::Pdos => (12, 9),
-        Table::Objects => (14, 9),
         Table::Enums | Table::Bits => (32, 9),
         Table::Alarms | Table::Errata => (16, 9),
-        Table::Homing | Table::Modes | Table::EtherCat | Table::Emcy | Table::Rules | Table::Examples => {
-            (14, 9)
-        }
+        Table::Objects
+        | Table::Homing
+        | Table::Modes
+        | Table::EtherCat
+        | Table::Emcy
+        | Table::Rules
+        | Table::Examples => (14, 9),
         Table::States | Table::Commands | Table::Aborts | Table::Terminals => (32, 11),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::values;
 use crate::emit::escape::rust_doc;
-use crate::model::{Address, Cite, Class, Entry, Erratum, Model, Origin};
+use crate::model::{Address, Cite, Class, Entry, Erratum, ErratumId, Model, Origin};
 use crate::name::Name;
 
 /// Writes `text` as doc comment lines; an empty text is an empty line.
@@ -73,8 +73,12 @@ fn cited<'o>(facts: &[(&'static str, Option<&'o Origin>)]) -> Vec<String> {
     lines
 }
 
+/// Errata of its row, and those of other rows, such as one of a range, that its values come from.
 fn errata(entry: &Entry, model: &Model) -> Vec<String> {
-    let of = |e: &&Erratum| e.address == Some(entry.address);
+    let origins = entry.origins();
+    let concerns = |id: ErratumId, e: &Erratum| {
+        e.address == Some(entry.address) || origins.iter().any(|o| o.erratum == Some(id))
+    };
     let line = |e: &Erratum| {
         format!(
             "Erratum {}, {}: printed {}{}. {}",
@@ -85,7 +89,8 @@ fn errata(entry: &Entry, model: &Model) -> Vec<String> {
             rust_doc(&e.why)
         )
     };
-    let lines: Vec<String> = model.errata.as_slice().iter().filter(of).map(line).collect();
+    let lines: Vec<String> =
+        model.errata.iter().filter(|(id, e)| concerns(*id, e)).map(|(_, e)| line(e)).collect();
     // Each stands on its own.
     lines.into_iter().flat_map(|l| [String::new(), l]).collect()
 }

@@ -13,7 +13,7 @@ const HELP: &str =
 pub(in crate::check) const LINT: Lint = Lint { code: CODE, page: include_str!("identity_present.md"), run };
 
 fn run(model: &Model, sink: &mut Sink) {
-    if !model.drive.bases.iter().any(|b| b == "cia301") {
+    if !super::based_on(model, "cia301") {
         return;
     }
     for address in [Address::new(0x1000, 0), Address::new(0x1018, 1)] {

@@ -17,7 +17,7 @@ fn run(model: &Model, sink: &mut Sink) {
     let (Some(supported), Some(requested)) = (supported, requested) else { return };
     let (Some(default), Some(allow)) = (&supported.default, &requested.allow) else { return };
     let Value::Int(word) = default.value else { return };
-    let settled = default.origin.erratum.is_some() || allow.origin.erratum.is_some();
+    let settled = super::settled(default) || super::settled(allow);
     let named = |mode: i128| allow.value.contains(&mode);
     let differing: Vec<String> = (1..=10)
         .filter(|mode| (word >> (mode - 1) & 1 == 1) != named(*mode))

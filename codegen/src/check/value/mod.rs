@@ -10,6 +10,7 @@ pub(super) mod default_of_kind;
 pub(super) mod limits_fit_type;
 pub(super) mod limits_in_order;
 pub(super) mod limits_on_numbers;
+pub(super) mod quantities_have_units;
 pub(super) mod values_fit_type;
 
-use super::{finding, fits};
+use super::{based_on, finding, fits};

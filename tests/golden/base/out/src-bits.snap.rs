@@ -18,19 +18,33 @@ bit_field! {
         ENABLE_OPERATION: 3,
         /// Fault reset. A rising edge resets. (standard: cia402)
         FAULT_RESET: 7,
-        /// Halt. (standard: cia402)
-        HALT: 8,
         /// New set-point, in mode 1. A rising edge hands over the target. (standard: cia402)
         PP_NEW_SET_POINT: 4,
         /// Change set immediately, in mode 1. (standard: cia402)
         PP_CHANGE_SET_IMMEDIATELY: 5,
         /// Relative, in mode 1. 1: the target is relative. (standard: cia402)
         PP_RELATIVE: 6,
+        /// Halt, in mode 1. (standard: cia402)
+        PP_HALT: 8,
         /// Change on set-point, in mode 1. (standard: cia402)
         PP_CHANGE_ON_SET_POINT: 9,
+        /// Enable ramp, in mode 2. (standard: cia402)
+        VL_ENABLE_RAMP: 4,
+        /// Unlock ramp, in mode 2. (standard: cia402)
+        VL_UNLOCK_RAMP: 5,
+        /// Reference ramp, in mode 2. (standard: cia402)
+        VL_REFERENCE_RAMP: 6,
+        /// Halt, in mode 3. (standard: cia402)
+        PV_HALT: 8,
+        /// Halt, in mode 4. (standard: cia402)
+        TQ_HALT: 8,
         /// Homing operation start, in mode 6. A rising edge starts. (standard: cia402)
         HM_HOMING_OPERATION_START: 4,
+        /// Halt, in mode 6. (standard: cia402)
+        HM_HALT: 8,
         /// Enable interpolation, in mode 7. (standard: cia402)
         IP_ENABLE_INTERPOLATION: 4,
+        /// Halt, in mode 7. (standard: cia402)
+        IP_HALT: 8,
     }
 }

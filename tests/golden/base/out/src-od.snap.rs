@@ -27,8 +27,7 @@ pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1000, 
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1018")]
-pub const HIGHEST_SUB_INDEX_SUPPORTED: Object<u8, Ro, MapNotStated, Raw> =
-    Object::new(0x1018, 0x00);
+pub const IDENTITY_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x00);
 
 /// Vendor-ID, `1018:01`: UNSIGNED32, ro, mapping not stated.
 ///

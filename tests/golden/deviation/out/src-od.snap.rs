@@ -26,8 +26,7 @@ pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1000, 
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1018")]
-pub const HIGHEST_SUB_INDEX_SUPPORTED: Object<u8, Ro, MapNotStated, Raw> =
-    Object::new(0x1018, 0x00);
+pub const IDENTITY_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x00);
 
 /// Vendor-ID, `1018:01`: UNSIGNED32, ro, mapping not stated.
 ///
@@ -40,15 +39,14 @@ pub const HIGHEST_SUB_INDEX_SUPPORTED: Object<u8, Ro, MapNotStated, Raw> =
 #[doc(alias = "1018")]
 pub const VENDOR_ID: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x01);
 
-/// Following error window, `6065:00`: UNSIGNED32, ro, RxPDO.
+/// Following error window, `6065:00`: UNSIGNED32, ro, mapping not stated.
 ///
 /// Deviates from the standard: the manual has no way to set it
 /// Manual: 2 L11.
 /// The name is standard: cia402.
 /// The type is standard: cia402.
-/// The mapping is standard: cia402.
 #[doc(alias = "6065")]
-pub const FOLLOWING_ERROR_WINDOW: Object<u32, Ro, Rx, Raw> = Object::new(0x6065, 0x00);
+pub const FOLLOWING_ERROR_WINDOW: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x6065, 0x00);
 
 /// Velocity window, `606D:00`: UNSIGNED32, rw, mapping not stated.
 ///

@@ -14,7 +14,7 @@ pub static OBJECTS: [ObjectDesc<'static>; 5] = [
     ObjectDesc::new(Address::new(0x1000, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Device type").default_int(0x0002_0192),
     ObjectDesc::new(Address::new(0x1018, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Highest sub-index supported").default_int(1),
     ObjectDesc::new(Address::new(0x1018, 0x01), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Vendor-ID").default_int(1),
-    ObjectDesc::new(Address::new(0x6065, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::Rx, "Following error window"),
+    ObjectDesc::new(Address::new(0x6065, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Following error window"),
     ObjectDesc::new(Address::new(0x606D, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Velocity window"),
 ];
 

@@ -1,0 +1,6 @@
+//! Worked examples of the manual.
+
+pub(super) mod mapping_words_agree;
+pub(super) mod writes_accepted;
+
+use super::{finding, fits, settled, unsettled};

@@ -1,0 +1,5 @@
+//! Rules between values.
+
+pub(super) mod defaults_obey_rules;
+
+use super::{finding, settled};

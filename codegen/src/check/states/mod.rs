@@ -1,0 +1,6 @@
+//! The state machine of CiA 402.
+
+pub(super) mod commands_fit;
+pub(super) mod states_apart;
+
+use super::{finding, settled};

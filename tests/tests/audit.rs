@@ -1,0 +1,187 @@
+//! The audit judged: facts of a real drive are changed one at a time, and it must see it.
+//!
+//! The makers' manuals are no part of the project: without `DRIVEWRIGHT_MANUALS` this is skipped, and said.
+
+#![allow(clippy::expect_used, clippy::panic, clippy::disallowed_methods, reason = "a test reads files")]
+
+use std::path::{Path, PathBuf};
+
+use drivewright_codegen::audit::{Contradiction, Finding, Kind, audit, contradictions, facts_hash};
+use drivewright_codegen::facts::{FactLine, Table, facts};
+use drivewright_codegen::model::{Cite, Class};
+use drivewright_codegen::{Compiled, compile, load};
+use drivewright_tests::skipped;
+
+const DRIVES: &[(&str, &str)] = &[("savch", "sdv3-e")];
+const CHANGES: usize = 500;
+
+/// The profile and the text of its manual.
+fn reading(vendor: &str, drive: &str) -> Option<(Compiled, String)> {
+    let Some(folder) = std::env::var_os("DRIVEWRIGHT_MANUALS") else {
+        skipped(
+            &format!("audit of {drive}"),
+            "DRIVEWRIGHT_MANUALS names no folder with the text of the manual",
+        );
+        return None;
+    };
+    let file = Path::new(&folder).join(format!("{drive}.txt"));
+    let Ok(text) = std::fs::read_to_string(&file) else {
+        skipped(&format!("audit of {drive}"), &format!("{} is not there", file.display()));
+        return None;
+    };
+    Some((profile(vendor, drive), text))
+}
+
+fn profile(vendor: &str, drive: &str) -> Compiled {
+    let folder: PathBuf = [env!("CARGO_MANIFEST_DIR"), "..", "profiles", vendor, drive].iter().collect();
+    compile(load::folder(&folder).sources)
+}
+
+/// A sequence that is the same in every run.
+struct Dice(u64);
+
+impl Dice {
+    /// The next number below `n`.
+    fn below(&mut self, n: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        usize::try_from(self.0 >> 33).expect("31 bits") % n
+    }
+}
+
+/// How a fact is changed; `None` where it cannot be in this way.
+fn changed(kind: usize, at: usize, all: &[FactLine<'_>], dice: &mut Dice) -> Option<(String, Option<Cite>)> {
+    let fact = &all[at];
+    let value = match kind {
+        0 => digit(&fact.value, dice)?,
+        1 => sign(&fact.value)?,
+        2 => all[at + 1..].iter().find(|f| f.table == fact.table && f.field == fact.field)?.value.clone(),
+        3 => {
+            let row: Vec<_> = all.iter().filter(|f| f.key == fact.key && f.class.is_some()).collect();
+            row[dice.below(row.len())].value.clone()
+        }
+        _ => return Some((fact.value.clone(), Some(elsewhere(fact.cite?, dice)))),
+    };
+    (value != fact.value).then_some((value, None))
+}
+
+fn digit(value: &str, dice: &mut Dice) -> Option<String> {
+    let start = if value.starts_with("0x") { 2 } else { 0 };
+    let places: Vec<usize> =
+        value.char_indices().filter(|(n, c)| *n >= start && c.is_ascii_digit()).map(|(n, _)| n).collect();
+    let place = *places.get(dice.below(places.len().max(1)))?;
+    let old = value.as_bytes()[place] - b'0';
+    let new = (usize::from(old) + 1 + dice.below(9)) % 10;
+    Some(format!("{}{new}{}", &value[..place], &value[place + 1..]))
+}
+
+fn sign(value: &str) -> Option<String> {
+    let number: i128 = value.parse().ok()?;
+    (number != 0).then(|| (-number).to_string())
+}
+
+/// The citation with one of its lines moved by up to five.
+fn elsewhere(cite: &Cite, dice: &mut Dice) -> Cite {
+    let mut cite = cite.clone();
+    let place = dice.below(cite.places.len());
+    let lines = &mut cite.places[place].lines;
+    let line = dice.below(lines.len());
+    let step = u32::try_from(1 + dice.below(5)).expect("small");
+    lines[line] =
+        if dice.below(2) == 0 { lines[line] + step } else { lines[line].saturating_sub(step).max(1) };
+    cite
+}
+
+/// What the audit holds against the row of a fact, with the fact as changed.
+fn found(
+    compiled: &Compiled,
+    all: &[FactLine<'_>],
+    at: usize,
+    value: &str,
+    cite: Option<&Cite>,
+    text: &str,
+) -> bool {
+    let model = compiled.model.as_ref().expect("a model");
+    let row = |fact: &&FactLine<'_>| fact.key.split('.').next() == all[at].key.split('.').next();
+    let lines: Vec<FactLine<'_>> = all
+        .iter()
+        .filter(row)
+        .map(|fact| {
+            let here = fact.key == all[at].key;
+            // A row has one citation: all its facts move with it.
+            let cite = cite.filter(|_| here && fact.cite == all[at].cite).or(fact.cite);
+            let value = if here && fact.field == all[at].field { value } else { &fact.value };
+            FactLine { value: value.to_owned(), cite, ..fact.clone() }
+        })
+        .collect();
+    let report = audit(model, &lines, &compiled.rows, "m1", text).expect("the manual");
+    report.open().any(|f| {
+        matches!(f.kind, Kind::Unproved | Kind::IdleLine | Kind::NotCited) && !f.at.starts_with("erratum")
+    })
+}
+
+/// Facts that a manual states in its own words.
+fn provable(fact: &FactLine<'_>) -> bool {
+    let worded = matches!(
+        (fact.table, fact.field.as_ref()),
+        (Table::Rules, "text" | "on" | "when")
+            | (Table::Aborts, "name")
+            | (Table::Terminals, "kind")
+            | (Table::Homing, "status")
+            | (Table::Objects, "values" | "bits")
+    );
+    let told = fact.field.starts_with("cause") || fact.field.starts_with("remedy");
+    matches!(fact.class, Some(Class::Stated)) && fact.cite.is_some() && !worded && !told
+}
+
+#[test]
+fn a_changed_fact_is_seen() {
+    for (vendor, drive) in DRIVES {
+        let Some((compiled, text)) = reading(vendor, drive) else { continue };
+        let all = facts(compiled.model.as_ref().expect("a model"));
+        let places: Vec<usize> = (0..all.len()).filter(|n| provable(&all[*n])).collect();
+        let mut dice = Dice(2026);
+        let (mut made, mut survivors) = (0, Vec::new());
+        while made < CHANGES {
+            let at = places[dice.below(places.len())];
+            let Some((value, cite)) = changed(dice.below(5), at, &all, &mut dice) else { continue };
+            made += 1;
+            if !found(&compiled, &all, at, &value, cite.as_ref(), &text) {
+                let moved = cite.map_or_else(String::new, |c| format!(" at {c}"));
+                survivors
+                    .push(format!("{} {}: {} -> {value}{moved}", all[at].key, all[at].field, all[at].value));
+            }
+        }
+        println!("{drive}: {} of {made} changes seen; not seen: {survivors:#?}", made - survivors.len());
+        assert!(survivors.len() * 100 <= made, "{drive}: {survivors:#?}");
+    }
+}
+
+/// Runs without the manuals: facts that changed need a new audit.
+#[test]
+fn the_record_is_of_these_facts() {
+    for (vendor, drive) in DRIVES {
+        let compiled = profile(vendor, drive);
+        let model = compiled.model.as_ref().expect("a model");
+        let [record] = compiled.rows.audited.as_slice() else { panic!("{drive} has no `audit.toml`") };
+        assert_eq!(record.extract.value.0, model.manuals[0].sha256, "{drive}: another extract was audited");
+        let help = format!("facts of {drive} have changed: run `drivewright audit {drive} --record`");
+        assert_eq!(record.facts.value.0, facts_hash(&facts(model)), "{help}");
+    }
+}
+
+#[test]
+fn nothing_is_open_and_the_record_has_the_counts() {
+    for (vendor, drive) in DRIVES {
+        let Some((compiled, text)) = reading(vendor, drive) else { continue };
+        let all = facts(compiled.model.as_ref().expect("a model"));
+        let report =
+            audit(compiled.model.as_ref().expect("a model"), &all, &compiled.rows, "m1", &text).expect("it");
+        assert_eq!(report.open().collect::<Vec<_>>(), Vec::<&Finding>::new());
+        let model = compiled.model.as_ref().expect("a model");
+        let differing = contradictions(model, &all, &compiled.rows, "m1", &text);
+        assert!(!differing.is_empty() && differing.iter().all(Contradiction::settled), "{differing:#?}");
+        let record = &compiled.rows.audited[0];
+        assert_eq!(record.proved.value as usize, report.proved);
+        assert_eq!(record.accepted.value as usize, report.accepted());
+    }
+}
