@@ -52,6 +52,24 @@ fn every_bad_row_of_every_file_is_reported_in_one_run() {
     assert_eq!(starts, ["E0104", "E0104", "E0104", "E0103", "E0106", "E0106", "E0105"], "{found:#?}");
 }
 
+/// What the standard leaves to the drive, or what a manual says more loosely, is no contradiction.
+#[test]
+fn a_row_may_say_less_than_the_standard_or_leave_its_units_to_the_user() {
+    let drive = DRIVE.replace("eds_version", "bases = [\"cia402\"]\neds_version");
+    let found = |row: &str| -> Vec<&'static str> {
+        let objects = format!("objects = [ {{ {row}, src = \"1 L2\" }} ]");
+        let text = format!("{objects}\n{drive}");
+        let compiled = compile(vec![Source { path: "drive.toml".into(), text }]);
+        compiled.diagnostics.iter().filter(|d| d.code.id() == "E0207").map(|d| d.code.id()).collect()
+    };
+    for fine in ["pdo = \"rx tx\"", "pdo = \"tx\"", "pdo = \"no\"", "unit = \"count\"", "unit = \"deg\""] {
+        assert_eq!(found(&format!("at = \"6064:00\", {fine}")), Vec::<&str>::new(), "{fine}");
+    }
+    for wrong in ["pdo = \"rx\"", "unit = \"ms\"", "unit = \"rpm\""] {
+        assert_eq!(found(&format!("at = \"6064:00\", {wrong}")), ["E0207"], "{wrong}");
+    }
+}
+
 #[test]
 fn an_erratum_sets_the_value_and_says_so() {
     let errata = r#"errata = [ { id = "E1", at = "2000:00", field = "max", was = 30000, seen = "1 L2", set = 3000, by = "2 L5", why = "a zero too many", sure = "high" } ]"#;
@@ -101,4 +119,22 @@ fn the_order_of_files_and_rows_does_not_matter() {
     let mut backward = sources(&format!("{second}\n{GOOD}"), &[]);
     backward.reverse();
     assert_eq!(forward.model, compile(backward).model);
+}
+
+/// Cases without numbers are told apart by their start; those of one start may have another case between them.
+#[test]
+fn cases_of_one_start_are_one_case() {
+    let row = |when: &str, line: u8| {
+        format!(
+            r#"{{ method = 1, when = "{when}", moves = "- slow until home on; latch", src = "1 L{line}" }},"#
+        )
+    };
+    let of = |rows: &[String]| {
+        let homing = format!("homing = [\n{}\n]\n", rows.join("\n"));
+        let found = codes("", &[("homing.toml", &homing)]);
+        found.into_iter().filter(|c| c.starts_with("E0202")).collect::<Vec<_>>()
+    };
+    assert_eq!(of(&[row("home off", 1), row("home on", 2)]), [""; 0]);
+    let again = of(&[row("home off", 1), row("home on", 2), row("home off", 3)]);
+    assert_eq!(again, ["E0202 homing.toml:4:1"]);
 }

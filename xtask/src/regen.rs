@@ -94,24 +94,25 @@ impl Profile {
     }
 }
 
-/// Every `profiles/<vendor>/<drive>`, in path order, compiled.
-fn profiles(root: &Path) -> std::io::Result<Vec<Profile>> {
+/// Every `profiles/<vendor>/<drive>`, in path order.
+fn places(root: &Path) -> std::io::Result<Vec<PathBuf>> {
     let mut found = Vec::new();
     for vendor in folders(&root.join("profiles"))? {
-        if name(&vendor) == "standard" {
-            continue;
-        }
-        for folder in folders(&vendor)? {
-            let (compiled, _) = compile_folder(&folder);
-            found.push(Profile { vendor: name(&vendor), id: name(&folder), compiled });
+        if name(&vendor) != "standard" {
+            found.extend(folders(&vendor)?);
         }
     }
     Ok(found)
 }
 
-/// The id of every drive; none where the folder of profiles cannot be read, which `regen` reports.
-pub fn drives(root: &Path) -> Vec<String> {
-    profiles(root).unwrap_or_default().into_iter().map(|profile| profile.id).collect()
+/// Every profile, compiled.
+fn profiles(root: &Path) -> std::io::Result<Vec<Profile>> {
+    let compiled = |folder: &PathBuf| Profile {
+        vendor: folder.parent().map(name).unwrap_or_default(),
+        id: name(folder),
+        compiled: compile_folder(folder).0,
+    };
+    Ok(places(root)?.iter().map(compiled).collect())
 }
 
 /// The last part of a path.
@@ -140,6 +141,11 @@ fn misplaced(profiles: &[Profile]) -> Vec<String> {
         }
     }
     wrong
+}
+
+/// The id of every drive; none where the folder of profiles cannot be read, which `regen` reports.
+pub fn drives(root: &Path) -> Vec<String> {
+    places(root).unwrap_or_default().iter().map(|folder| name(folder)).collect()
 }
 
 fn folders(of: &Path) -> std::io::Result<Vec<PathBuf>> {

@@ -114,6 +114,21 @@ const SYMBOLS: &[(&str, Quantity, u32, u32)] = &[
 ];
 
 impl Quantity {
+    /// Whether a value of one quantity can be one of the other: the same, or the user's unit of it.
+    pub fn can_be(self, other: Self) -> bool {
+        self == other || self.of_user() == Some(other) || other.of_user() == Some(self)
+    }
+
+    /// The quantity in user units that a drive can express in this one.
+    fn of_user(self) -> Option<Self> {
+        match self {
+            Self::Counts | Self::Angle | Self::Length => Some(Self::UserPosition),
+            Self::Velocity => Some(Self::UserVelocity),
+            Self::Acceleration => Some(Self::UserAcceleration),
+            _ => None,
+        }
+    }
+
     /// Symbol of its base unit; `1` for a bare share.
     pub fn base(self) -> &'static str {
         let base = SYMBOLS.iter().find(|(_, quantity, num, den)| *quantity == self && *num == *den);

@@ -31,7 +31,7 @@ fn alarm(row: &AlarmRow, errata: &[ErratumRow]) -> Alarm {
         number: says.fact("number", row.number),
         code: says.fact("code", row.code),
         aux: row.aux.map(|v| says.fact("aux", v)),
-        name: says.fact("name", row.rename.as_ref().unwrap_or(&row.name).clone()),
+        name: says.joint(&["name", "display"], row.rename.as_ref().unwrap_or(&row.name).clone()),
         printed: row.name.value.original().to_owned(),
         reset: row.reset.map(|v| says.fact("reset", v)),
         causes: texts("causes", row.causes.as_ref(), &detail),

@@ -2,6 +2,7 @@
 
 mod alarms;
 mod behaviour;
+mod contradiction;
 mod drive;
 mod homing;
 mod names;

@@ -2,14 +2,15 @@
 
 use std::collections::BTreeMap;
 
+use super::contradiction;
 use super::origin::Says;
 use super::tables::Tables;
 use crate::diag::{Code, Diagnostic, Sink, code};
 use crate::limits;
 use crate::merge::{ObjectIndex, Profile};
 use crate::model::{
-    Access, Address, Arena, BitsDef, BitsId, Class, Entry, EntryId, EnumDef, EnumId, Fact, Id, Object,
-    ObjectId, ObjectKind, Origin,
+    Address, Arena, BitsDef, BitsId, Class, Entry, EntryId, EnumDef, EnumId, Fact, Id, Object, ObjectId,
+    ObjectKind, Origin,
 };
 use crate::name::Name;
 use crate::rows::address::Sub;
@@ -30,7 +31,7 @@ type BaseRow<'a> = (&'a str, &'a ObjectRow);
 
 /// Who may state a value, the most exact first.
 #[derive(Clone, Copy)]
-struct Stated<'a> {
+pub(super) struct Stated<'a> {
     /// The drive's row for the address.
     row: &'a ObjectRow,
     /// The drive's row for a range that it refines.
@@ -41,7 +42,7 @@ struct Stated<'a> {
 
 impl<'a> Stated<'a> {
     /// What the drive's rows state.
-    fn own<T>(self, get: impl Fn(&'a ObjectRow) -> Option<&'a Sp<T>>) -> Option<&'a Sp<T>> {
+    pub(super) fn own<T>(self, get: impl Fn(&'a ObjectRow) -> Option<&'a Sp<T>>) -> Option<&'a Sp<T>> {
         get(self.row).or_else(|| self.range.and_then(get))
     }
 }
@@ -216,7 +217,7 @@ impl<'a> Resolver<'a, '_> {
             self.unknown(code::ACCESS_UNKNOWN, address, row, "access", "a refused write must not compile");
         }
         let (name, ty, access) = (name?, ty?, access?);
-        self.deviation(stated, address);
+        self.deviation(stated, &address.to_string());
         // A name that stands for several entries gets the number of each.
         let rows = [Some(row), stated.range, stated.base.map(|b| b.1)];
         let named = rows.into_iter().flatten().find(|r| r.name.is_some() || r.rename.is_some());
@@ -273,15 +274,15 @@ impl<'a> Resolver<'a, '_> {
     }
 
     /// A row may contradict the standard object only with a reason, and a reason needs a contradiction.
-    fn deviation(&mut self, stated: Stated<'_>, address: Address) {
+    fn deviation(&mut self, stated: Stated<'_>, at: &str) {
         let Stated { row, base, .. } = stated;
-        let found = base.and_then(|(name, base)| contradiction(stated, base).map(|c| (name, c)));
+        let found = base.and_then(|(name, base)| contradiction::find(stated, base).map(|c| (name, c)));
         match (found, stated.own(|r| r.deviation.as_ref())) {
             (Some((name, c)), None) => self.sink.push(
                 Diagnostic::new(
                     code::CONTRADICTS_BASE,
                     c.row,
-                    format!("{} of {address} is `{}`, and `{}` in base `{name}`", c.key, c.here, c.there),
+                    format!("{} of {at} is `{}`, and `{}` in base `{name}`", c.key, c.here, c.there),
                 )
                 .related(c.base, "the standard object")
                 .why("most contradictions of a standard type are slips of the pen or of the manual")
@@ -289,7 +290,7 @@ impl<'a> Resolver<'a, '_> {
             ),
             (None, Some(deviation)) if base.is_some() && row.deviation.is_some() && !row.meta.raw.fields.iter().any(|f| f.key.value == "text") => {
                 self.sink.push(
-                    Diagnostic::new(code::DEVIATION_UNUSED, deviation.span, format!("{address} deviates in nothing that is checked"))
+                    Diagnostic::new(code::DEVIATION_UNUSED, deviation.span, format!("{at} deviates in nothing that is checked"))
                         .why("a reason without a contradiction would hide the next one")
                         .help("remove `deviation`; if the meaning differs, describe it in `text` as well"),
                 );
@@ -301,6 +302,9 @@ impl<'a> Resolver<'a, '_> {
     /// Kind and name of an object, once all its entries are there.
     fn finish(&mut self, object: &mut Object, whole: Option<&'a ObjectRow>, entries: &Arena<EntryId, Entry>) {
         let base = self.base_whole.get(&object.index).copied();
+        if let Some(row) = whole {
+            self.deviation(Stated { row, range: None, base }, &format!("{:04X}", object.index));
+        }
         let pick_name = |row: Option<&'a ObjectRow>| {
             row.and_then(|r| self.pick("name", Stated { row: r, range: None, base }, |r| r.name.as_ref()))
         };
@@ -346,31 +350,6 @@ fn member_name(name: &Name, row: &ObjectRow, address: Address) -> Name {
         Sub::Range(..) => Name::new(&format!("{name} {}", address.sub)).unwrap_or_else(|| name.clone()),
         _ => name.clone(),
     }
-}
-
-struct Contradiction {
-    key: &'static str,
-    here: String,
-    there: String,
-    row: Span,
-    base: Span,
-}
-
-fn contradiction(stated: Stated<'_>, base: &ObjectRow) -> Option<Contradiction> {
-    fn differ<T: ToString>(key: &'static str, here: &Sp<T>, there: &Sp<T>) -> Contradiction {
-        let (row, base) = (here.span, there.span);
-        Contradiction { key, here: here.value.to_string(), there: there.value.to_string(), row, base }
-    }
-    let types = stated.own(|r| r.ty.as_ref()).zip(base.ty.as_ref());
-    let types = types.filter(|(a, b)| a != b).map(|(a, b)| differ("type", a, b));
-    // A constant is read only: the two words promise the same to a reader.
-    let plain = |access: Access| if access == Access::Const { Access::Ro } else { access };
-    let access = stated
-        .own(|r| r.access.as_ref())
-        .copied()
-        .zip(base.access)
-        .filter(|(a, b)| plain(a.value) != plain(b.value));
-    types.or_else(|| access.map(|(a, b)| differ("access", &a.map(Access::word), &b.map(Access::word))))
 }
 
 fn inferred_kind(object: &Object, entries: &Arena<EntryId, Entry>) -> Fact<ObjectKind> {
