@@ -251,7 +251,7 @@ fn no_snapshot_is_left_over() {
     let names = cases().into_iter().map(|c| c.name).chain(["github".to_owned(), "json".to_owned()]);
     let wanted: BTreeSet<String> = names.map(|name| format!("{name}.snap")).collect();
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/snapshots/diagnostics");
-    let name = |path: &std::path::PathBuf| path.file_name().expect("a name").to_string_lossy().into_owned();
+    let name = |path: &PathBuf| path.file_name().expect("a name").to_string_lossy().into_owned();
     let found: BTreeSet<String> = entries(&folder).iter().map(name).collect();
     assert_eq!(found, wanted);
 }
