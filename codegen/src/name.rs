@@ -27,6 +27,11 @@ impl Name {
         (!words.is_empty()).then(|| Self { original: text.to_owned(), words })
     }
 
+    /// A printed name. Where it has no ASCII letter or digit it has no words, and code must call the thing otherwise.
+    pub fn printed(text: &str) -> Self {
+        Self { original: text.to_owned(), words: split(text) }
+    }
+
     /// As written.
     pub fn original(&self) -> &str {
         &self.original

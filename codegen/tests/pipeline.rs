@@ -2,9 +2,9 @@
 
 #![allow(clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
-use drivewright_codegen::compile;
 use drivewright_codegen::model::{Address, Class, Value};
 use drivewright_codegen::source::Source;
+use drivewright_codegen::{backend, compile, emit};
 
 const DRIVE: &str = include_str!("fixtures/drive.toml");
 
@@ -110,6 +110,58 @@ fn names_that_are_the_same_words_ask_for_a_rename() {
     let renamed =
         format!("{GOOD}\n{}", GOOD.replace("2000", "2001").replace("access", "rename = \"Speed 2\", access"));
     assert_eq!(codes(&renamed, &[]), Vec::<String>::new());
+}
+
+/// Manuals print one display for several alarms; an erratum names the one that it means by its number as well.
+#[test]
+fn alarms_of_one_display_are_told_by_their_numbers() {
+    let alarms = r#"alarms = [
+        { display = "OF", number = 0x25, code = 0x8611, name = "Following", src = "1 L1" },
+        { display = "OF", number = 0x2A, code = 0x8612, name = "Overflow", src = "1 L1" },
+    ]"#;
+    let compiled = |at: &str| {
+        let errata = format!(
+            r#"errata = [ {{ id = "E1", at = "{at}", field = "code", was = 0x8612, seen = "1 L1", set = 0x8613, why = "w", sure = "low" }} ]"#
+        );
+        compile(sources(GOOD, &[("alarms.toml", alarms), ("errata.toml", &errata)]))
+    };
+    for at in ["alarm OF 0x2A", "alarm OF 0x2a"] {
+        let compiled = compiled(at);
+        let model = compiled.sound().unwrap_or_else(|| panic!("{at}: {:#?}", compiled.diagnostics));
+        assert_eq!(model.alarms.iter().map(|a| a.code.value).collect::<Vec<_>>(), [0x8611, 0x8613], "{at}");
+    }
+    let found = compiled("alarm OF").diagnostics;
+    assert_eq!(found[0].code.id(), "E0203");
+    assert!(found[0].help.contains("alarm OF 0x"), "{found:#?}");
+    assert_eq!(compiled("alarm OF 0x2B").diagnostics[0].code.id(), "E0203");
+}
+
+/// What a manual prints in another script stays as printed; code calls it by its `rename`.
+#[test]
+fn a_printed_name_may_be_of_any_script_where_it_is_renamed() {
+    let tables = r#"
+objects = [ { at = "2000:00", name = "速度", type = "u16", access = "rw", values = "M", src = "1 L1", rename = "Speed" },
+  { at = "2001:00", name = "状态", type = "u16", access = "ro", bits = "S", src = "1 L1", rename = "State" },
+  { at = "2002:00", name = "Gains", type = "u8", access = "ro", default = 2, src = "1 L1" },
+  { at = "2002:01..02", name = "增益", type = "u16", access = "rw", src = "1 L1", rename = "Gain" } ]
+enums = [ { name = "M", value = 0, label = "关", src = "1 L1", rename = "Off" } ]
+bits = [ { name = "S", bit = 0, label = "就绪", src = "1 L1", rename = "Ready" } ]
+alarms = [ { display = "A", number = 1, code = 1, name = "过流", src = "1 L1", rename = "Over current" } ]
+"#;
+    let run = |text: &str| compile(vec![Source { path: "x.toml".into(), text: format!("{text}\n{DRIVE}") }]);
+    let compiled = run(tables);
+    assert_eq!(compiled.diagnostics, []);
+    let (files, losses) = emit(compiled.sound().expect("a model"), backend::ALL);
+    let lost: Vec<&str> = losses.iter().map(|d| d.code.id()).collect();
+    assert_eq!(lost, ["W1004", "W1005"], "what an EDS cannot say, and no more: {losses:#?}");
+    let file = |path| String::from_utf8_lossy(files.get(path).expect("a file")).into_owned();
+    assert!(file("src/od.rs").contains("GAIN_2") && file("src/enums.rs").contains("关"));
+    let names = ["Speed", "State", "Gain", "Off", "Ready", "Over current"];
+    let plain = names
+        .iter()
+        .fold(tables.to_owned(), |text, name| text.replace(&format!(", rename = \"{name}\""), ""));
+    let found = run(&plain).diagnostics;
+    assert_eq!(found.iter().map(|d| d.code.id()).collect::<Vec<_>>(), ["E0304"; 6], "{found:#?}");
 }
 
 #[test]

@@ -5,27 +5,28 @@
 //!
 //! To accept a change: `INSTA_UPDATE=always cargo test -p drivewright-tests --test diagnostics`, then read the diff.
 
-#![allow(clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::disallowed_methods,
+    reason = "a test makes folders, and fails by panicking"
+)]
 
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 use drivewright_codegen::check::{LINTS, Lint};
 use drivewright_codegen::diag::{Diagnostic, code, github, json, render};
 use drivewright_codegen::source::{Source, SourceMap};
-use drivewright_codegen::{backend, compile, emit, limits};
+use drivewright_codegen::{Compiled, backend, compile, compile_folder, emit, limits};
 use drivewright_tests::cases::{entries, toml_files};
 
 const DRIVE: &str = include_str!("../diagnostics/shared/drive.toml");
 
-/// Codes without a case here: they speak of files, and a case is text. `codegen/tests/load.rs` has a case for each.
-const OF_FILES: &[&str] = &["E0001", "E0002", "E0003", "E0004", "E0005", "E0009"];
-
 /// Of drivewright itself, which no profile shows. A unit test of the compiler has backends that do it.
 const OF_BUGS: &[&str] = &["E0010"];
-
-/// The cases that show the formats for programs.
-const FORMATS: &[&str] = &["E0101-comma-missing", "E0204-other-value", "W1004-no-sub-index-0"];
 
 struct Case {
     code: String,
@@ -34,6 +35,8 @@ struct Case {
     sources: Vec<Source>,
     /// Whether other codes come with it. Of those a snapshot holds none.
     company: bool,
+    /// A folder that is no profile, in the place of sources.
+    folder: Option<&'static Path>,
 }
 
 impl Case {
@@ -42,12 +45,15 @@ impl Case {
         let own = Source { path: "case.toml".into(), text };
         let sources = if own.text.contains("[drive]") { vec![own] } else { vec![own, shared] };
         let code = name.split('-').next().expect("a code").to_owned();
-        Self { code, name: name.to_owned(), sources, company: false }
+        Self { code, name: name.to_owned(), sources, company: false, folder: None }
     }
 
     /// The findings of the compiler, and of a sound model what formats lose.
     fn findings(&self) -> (Vec<Diagnostic>, SourceMap) {
-        let compiled = compile(self.sources.clone());
+        let compiled = match self.folder {
+            Some(folder) => elsewhere(compile_folder(folder).0, folder),
+            None => compile(self.sources.clone()),
+        };
         let losses = compiled.sound().map(|model| emit(model, backend::ALL).1).unwrap_or_default();
         let is_its = |d: &Diagnostic| d.code.id() == self.code;
         let rest: Vec<&str> =
@@ -57,6 +63,62 @@ impl Case {
         (all.filter(is_its).collect(), compiled.sources)
     }
 }
+
+/// The findings as if the folder were `x1`: its path is one of this machine.
+fn elsewhere(mut compiled: Compiled, folder: &Path) -> Compiled {
+    let path = folder.display().to_string();
+    for finding in &mut compiled.diagnostics {
+        finding.message = finding.message.replace(&path, "x1");
+    }
+    compiled
+}
+
+/// Folders that cannot be read as a profile. They are made once: tests run side by side.
+fn folders() -> Vec<Case> {
+    static FOLDERS: OnceLock<Vec<(&str, PathBuf)>> = OnceLock::new();
+    let made = FOLDERS.get_or_init(|| {
+        let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join("diagnostics");
+        let _ = fs::remove_dir_all(&root);
+        UNREADABLE.iter().map(|(name, fill)| (*name, folder(&root, name, *fill))).collect()
+    });
+    let case = |(name, folder): &'static (&str, PathBuf)| Case {
+        folder: Some(folder.as_path()),
+        sources: Vec::new(),
+        ..Case::new(name, String::new())
+    };
+    made.iter().map(case).collect()
+}
+
+fn folder(root: &Path, name: &str, fill: fn(&Path)) -> PathBuf {
+    let folder = root.join(name);
+    fs::create_dir_all(&folder).expect("a folder");
+    fill(&folder);
+    folder
+}
+
+/// Names of cases, and what makes the folder of each.
+const UNREADABLE: &[(&str, fn(&Path))] = &[
+    ("E0001-no-file", |_| {}),
+    ("E0002-too-large", |folder| {
+        let length = u64::try_from(limits::FILE_BYTES).expect("a length") + 1;
+        fs::File::create(folder.join("a.toml")).and_then(|file| file.set_len(length)).expect("a file");
+    }),
+    ("E0003-not-utf8", |folder| fs::write(folder.join("a.toml"), b"a = \"\xFC\"").expect("a file")),
+    ("E0004-too-many-files", |folder| {
+        (0..=limits::FILES).for_each(|n| fs::write(folder.join(format!("{n}.toml")), "").expect("a file"));
+    }),
+    #[cfg(unix)]
+    ("E0005-link-leads-out", |folder| {
+        let outside = folder.with_extension("txt");
+        fs::write(&outside, "").expect("a file");
+        std::os::unix::fs::symlink(outside, folder.join("a.toml")).expect("a link");
+    }),
+    #[cfg(unix)]
+    ("E0009-pipe", |folder| {
+        let made = std::process::Command::new("mkfifo").arg(folder.join("a.toml")).status();
+        assert!(made.expect("mkfifo").success());
+    }),
+];
 
 /// The profiles in `diagnostics`.
 fn written() -> Vec<Case> {
@@ -123,6 +185,7 @@ fn cases() -> Vec<Case> {
     assert!(cases.len() >= 60, "only {} cases found", cases.len());
     cases.extend(LINTS.iter().map(of_lint));
     cases.extend(made());
+    cases.extend(folders());
     cases
 }
 
@@ -151,13 +214,11 @@ fn texts() {
     assert!(failed.is_empty(), "failed cases: {failed:#?}");
 }
 
-/// The formats for programs: a finding with one place, with two, and with none.
+/// The formats for programs: every case, in one file a format.
 #[test]
 fn other_formats() {
     let (mut lines, mut commands) = (String::new(), String::new());
-    let cases: Vec<Case> = written().into_iter().filter(|c| FORMATS.contains(&c.name.as_str())).collect();
-    assert_eq!(cases.len(), FORMATS.len());
-    for case in cases {
+    for case in cases() {
         let (findings, sources) = case.findings();
         lines += &json::lines(&findings, &sources);
         commands += &github::commands(&findings, &sources, "profiles/x1");
@@ -199,8 +260,7 @@ fn no_snapshot_is_left_over() {
 fn every_code_has_a_case() {
     let losses = backend::ALL.iter().flat_map(|b| b.codes());
     let all = code::ALL.iter().chain(LINTS.iter().map(|l| &l.code)).chain(losses);
-    let wanted: BTreeSet<&str> =
-        all.map(|c| c.id()).filter(|id| !OF_FILES.contains(id) && !OF_BUGS.contains(id)).collect();
+    let wanted: BTreeSet<&str> = all.map(|c| c.id()).filter(|id| !OF_BUGS.contains(id)).collect();
     let cases = cases();
     let shown: BTreeSet<&str> = cases.iter().map(|c| c.code.as_str()).collect();
     assert_eq!(shown, wanted);

@@ -36,8 +36,18 @@ pub fn unreferenced(root: &Path) -> Outcome {
         }
     }
     match (dead.is_empty(), count) {
-        (true, 0) => Outcome::Skipped("there is no snapshot".to_owned()),
+        (true, 0) => Outcome::Failed("git lists no snapshot, so nothing was looked at".to_owned()),
         (true, _) => Outcome::Passed,
         (false, _) => Outcome::Failed(format!("no test looks at {}; remove them", dead.join(", "))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_snapshot_at_all_is_a_failure() {
+        assert!(matches!(unreferenced(Path::new("no/such/checkout")), Outcome::Failed(_)));
     }
 }

@@ -9,6 +9,9 @@ use crate::{End, Options};
 pub fn run(root: &Path, options: &Options) -> End {
     let files = tracked(root);
     let mut findings = Vec::new();
+    if files.is_empty() {
+        findings.push(format!("{}: git lists no file, so nothing was looked at", root.display()));
+    }
     for path in &files {
         let Ok(text) = std::fs::read_to_string(root.join(path)) else { continue };
         let name = path.to_string_lossy().replace('\\', "/");

@@ -137,6 +137,16 @@ fn a_profile_stands_where_its_ids_say_and_alone() {
     assert!(err.contains("profiles/a/b-c and profiles/a-b/c both make generated/a-b-c"), "{out}{err}");
 }
 
+/// Outside of a checkout there is nothing to look at, and that is no reason to be content.
+#[test]
+fn tidy_without_files_is_not_content() {
+    let root = checkout("no-git");
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_xtask")).args(["tidy", "--root"]).arg(&root).output().unwrap();
+    let out = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.code() == Some(1) && out.contains("git lists no file"), "{out}");
+}
+
 #[test]
 fn an_unknown_drive_is_wrong_usage() {
     let root = checkout("unknown");

@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use crate::diag::{Diagnostic, Sink, code};
+use crate::raw::RawValue;
 use crate::rows::address::At;
-use crate::rows::tables::ErratumRow;
+use crate::rows::tables::{AlarmRow, ErratumRow};
 use crate::rows::{Fix, Row, Rows, Visit, VisitMut, suggest};
 use crate::source::Sp;
 
@@ -38,9 +39,25 @@ fn targets(errata: &[ErratumRow]) -> BTreeMap<String, Vec<usize>> {
     targets
 }
 
-/// An address as rows name themselves, whatever its case.
+/// An address as rows name themselves, whatever its case; an alarm with the number behind its display as [`numbered`]
+/// writes it.
 fn normal(at: &str) -> String {
-    At::parse(at).map_or_else(|| at.to_owned(), |at| at.to_string())
+    if let Some(at) = At::parse(at) {
+        return at.to_string();
+    }
+    let alarm = || {
+        let (display, number) = at.strip_prefix("alarm ")?.rsplit_once(' ')?;
+        let number = u16::from_str_radix(number.strip_prefix("0x")?, 16).ok()?;
+        Some(format!("alarm {display} 0x{number:02X}"))
+    };
+    alarm().unwrap_or_else(|| at.to_owned())
+}
+
+/// The name of an alarm with its number: manuals print one display for several alarms.
+fn numbered<R: Row>(row: &R) -> Option<String> {
+    let number = row.meta().raw.get("number").filter(|_| R::TABLE.name == AlarmRow::TABLE.name)?;
+    let RawValue::Int(number) = &number.value else { return None };
+    Some(format!("{} 0x{number:02X}", row.key()))
 }
 
 /// Names of rows, for suggestions.
@@ -63,7 +80,11 @@ fn target(erratum: &ErratumRow, found: usize, known: &[&str], sink: &mut Sink) {
             let why = "a correction that matches nothing has been overtaken, or never worked";
             return finding(format!("no row `{at}`"), why, suggest(at, known));
         }
-        let help = "make the rows differ, or remove the erratum".to_owned();
+        let help = if at.starts_with("alarm ") {
+            format!("name the number as well, as in `{at} 0x25`")
+        } else {
+            "make the rows differ, or remove the erratum".to_owned()
+        };
         finding(format!("{found} rows are `{at}`"), "a correction must say which row it corrects", help)
     });
 }
@@ -87,8 +108,10 @@ impl VisitMut for Fixing<'_> {
     /// Applies the errata that name rows of a table.
     fn table<R: Row>(&mut self, rows: &mut [R]) {
         for row in rows {
-            let Some(places) = self.targets.get(&row.key()) else { continue };
-            for &place in places {
+            let exact = numbered(row).and_then(|key| self.targets.get(&key));
+            let places: Vec<usize> =
+                self.targets.get(&row.key()).into_iter().chain(exact).flatten().copied().collect();
+            for place in places {
                 self.found[place] += 1;
                 if self.found[place] == 1 {
                     Fixer { erratum: &self.errata[place], place, errata: self.errata }.row(row, self.sink);

@@ -1,5 +1,6 @@
 //! Faults and warnings.
 
+use super::names;
 use super::origin::Says;
 use crate::diag::Sink;
 use crate::merge::Profile;
@@ -20,10 +21,10 @@ pub(super) fn alarms(profile: &Profile, sink: &mut Sink) -> Vec<Alarm> {
     for pair in rows.windows(2).filter(|p| p[0].number == p[1].number && p[0].display == p[1].display) {
         crate::merge::duplicate(pair[1], pair[0], sink);
     }
-    rows.iter().map(|row| alarm(row, &profile.rows.errata)).collect()
+    rows.iter().map(|row| alarm(row, &profile.rows.errata, sink)).collect()
 }
 
-fn alarm(row: &AlarmRow, errata: &[ErratumRow]) -> Alarm {
+fn alarm(row: &AlarmRow, errata: &[ErratumRow], sink: &mut Sink) -> Alarm {
     let says = Says::plain(&row.meta, row.src.as_ref(), errata);
     let detail = Says::plain(&row.meta, row.detail.as_ref().or(row.src.as_ref()), errata);
     Alarm {
@@ -31,8 +32,8 @@ fn alarm(row: &AlarmRow, errata: &[ErratumRow]) -> Alarm {
         number: says.fact("number", row.number),
         code: says.fact("code", row.code),
         aux: row.aux.map(|v| says.fact("aux", v)),
-        name: says.joint(&["name", "display"], row.rename.as_ref().unwrap_or(&row.name).clone()),
-        printed: row.name.value.original().to_owned(),
+        name: says.joint(&["name", "display"], names::used(&row.name, row.rename.as_ref(), sink)),
+        printed: row.name.value.0.original().to_owned(),
         reset: row.reset.map(|v| says.fact("reset", v)),
         causes: texts("causes", row.causes.as_ref(), &detail),
         remedies: texts("remedies", row.remedies.as_ref(), &detail),

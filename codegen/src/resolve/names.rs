@@ -5,7 +5,24 @@ use std::collections::BTreeMap;
 use crate::diag::{Diagnostic, Sink, code};
 use crate::model::Model;
 use crate::name::{Case, Name};
-use crate::source::Span;
+use crate::rows::value::Printed;
+use crate::source::{Sp, Span};
+
+/// The name that code uses: the printed one, or `rename`.
+pub(super) fn used(printed: &Sp<Printed>, rename: Option<&Sp<Name>>, sink: &mut Sink) -> Sp<Name> {
+    if let Some(rename) = rename {
+        return rename.clone();
+    }
+    let Printed(name) = &printed.value;
+    if name.words().is_empty() {
+        sink.push(
+            Diagnostic::new(code::NAME_EMPTY, printed.span, format!("`{name}` has no ASCII letter or digit"))
+                .why("names of generated code are made of them")
+                .help("keep the name as printed and add `rename = \"...\"` with an English one"),
+        );
+    }
+    Sp::new(name.clone(), printed.span)
+}
 
 /// Reports every clash in every scope.
 pub(super) fn check_unique(model: &Model, sink: &mut Sink) {
@@ -38,7 +55,8 @@ pub(super) fn check_unique(model: &Model, sink: &mut Sink) {
 /// Two names clash when they look the same in the case in which code writes them.
 fn scope<'a>(what: &str, names: impl Iterator<Item = (&'a Name, Span)>, case: Case, sink: &mut Sink) {
     let mut seen: BTreeMap<String, (&Name, Span)> = BTreeMap::new();
-    for (name, span) in names {
+    // A name without words is reported as such.
+    for (name, span) in names.filter(|(name, _)| !name.words().is_empty()) {
         let key = name.to_identifier(case);
         let Some((first, at)) = seen.get(&key) else {
             seen.insert(key, (name, span));

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::contradiction;
+use super::names;
 use super::origin::Says;
 use super::tables::Tables;
 use crate::diag::{Code, Diagnostic, Sink, code};
@@ -222,13 +223,15 @@ impl<'a> Resolver<'a, '_> {
         let rows = [Some(row), stated.range, stated.base.map(|b| b.1)];
         let named = rows.into_iter().flatten().find(|r| r.name.is_some() || r.rename.is_some());
         let named = named.unwrap_or(row);
-        let handle = member_name(named.rename.as_ref().map_or(&name.value, |r| &r.value), named, address);
+        let printed = Sp::new(name.value.clone(), name.span());
+        let used = names::used(&printed, named.rename.as_ref(), self.sink);
+        let handle = member_name(&used.value, named, address);
         let values = self.pick("values", stated, |r| r.values.as_ref());
         let bits = self.pick("bits", stated, |r| r.bits.as_ref());
         Some(Entry {
             address,
             object,
-            name: name.map(|n| n.original().to_owned()),
+            name: name.map(|n| n.0.original().to_owned()),
             handle,
             ty,
             access,
@@ -312,7 +315,7 @@ impl<'a> Resolver<'a, '_> {
             || base.and_then(|(name, r)| r.name.clone().map(|n| self.says(r, Some(name)).fact("name", n)));
         let single = object.entries.len() == 1 && entries[object.entries[0]].address.sub == 0;
         if let Some(name) = pick_name(whole).or_else(|| if single { None } else { standard() }) {
-            object.name = name;
+            object.name = name.map(|n| n.0);
         } else if !single {
             object.name.origin.class = Class::Inferred("the name of its lowest sub-index".to_owned());
         }
@@ -347,7 +350,9 @@ impl<'a> Resolver<'a, '_> {
 /// The name of one of several entries that a row states: with its number behind.
 fn member_name(name: &Name, row: &ObjectRow, address: Address) -> Name {
     match row.at.value.sub {
-        Sub::Range(..) => Name::new(&format!("{name} {}", address.sub)).unwrap_or_else(|| name.clone()),
+        Sub::Range(..) if !name.words().is_empty() => {
+            Name::new(&format!("{name} {}", address.sub)).unwrap_or_else(|| name.clone())
+        }
         _ => name.clone(),
     }
 }

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 
+use super::names;
 use super::origin::Says;
 use crate::diag::{Code, Diagnostic, Sink, code};
 use crate::merge::Profile;
@@ -131,11 +132,6 @@ fn unique<'a, R: Row, K: Ord>(mut rows: Vec<&'a R>, key: impl Fn(&R) -> K, sink:
     out
 }
 
-/// The name that code uses, with the origin of the printed one.
-fn label(label: &Sp<Name>, rename: Option<&Sp<Name>>) -> Sp<Name> {
-    rename.unwrap_or(label).clone()
-}
-
 fn enum_def(rows: Vec<&EnumRow>, base: Option<&str>, errata: &[ErratumRow], sink: &mut Sink) -> EnumDef {
     let name = rows[0].name.value.clone();
     let rows = unique(rows, |r| r.value.value, sink);
@@ -143,8 +139,8 @@ fn enum_def(rows: Vec<&EnumRow>, base: Option<&str>, errata: &[ErratumRow], sink
         let says = Says { base, ..Says::plain(&row.meta, row.src.as_ref(), errata) };
         EnumValue {
             value: row.value.value.0,
-            name: says.joint(&["label", "value"], label(&row.label, row.rename.as_ref())),
-            printed: row.label.value.original().to_owned(),
+            name: says.joint(&["label", "value"], names::used(&row.label, row.rename.as_ref(), sink)),
+            printed: row.label.value.0.original().to_owned(),
             text: row.text.as_ref().map(|t| t.value.0.clone()),
         }
     };
@@ -160,8 +156,11 @@ fn bits_def(rows: Vec<&BitRow>, base: Option<&str>, errata: &[ErratumRow], sink:
             bit: row.bit.value.0,
             width: row.width.map_or(1, |w| w.value.0),
             mode: row.mode.map(|m| m.value),
-            name: says.joint(&["label", "bit", "width", "mode"], label(&row.label, row.rename.as_ref())),
-            printed: row.label.value.original().to_owned(),
+            name: says.joint(
+                &["label", "bit", "width", "mode"],
+                names::used(&row.label, row.rename.as_ref(), sink),
+            ),
+            printed: row.label.value.0.original().to_owned(),
             text: row.text.as_ref().map(|t| t.value.0.clone()),
             deviation: row.deviation.as_ref().map(|d| d.value.0.clone()),
         }

@@ -67,6 +67,18 @@ impl FromRaw for Name {
     }
 }
 
+/// A name as printed, in any script. What code is called after it needs words, or `rename`.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Printed(pub Name);
+
+impl FromRaw for Printed {
+    const KIND: Kind = Kind::Text(None);
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        checked_text(raw, limits::NAME_BYTES).map(|text| Self(Name::printed(text)))
+    }
+}
+
 /// A short id: lower-case letters, digits and `-`, starting with a letter.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Ident(pub String);

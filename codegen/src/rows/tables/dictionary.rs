@@ -13,7 +13,7 @@ use crate::rows::address::At;
 use crate::rows::decode::{Decoder, FieldInfo, TableInfo};
 use crate::rows::define::rows;
 use crate::rows::kind::FromRaw;
-use crate::rows::value::{Bit, Count, Reason, Text, Width};
+use crate::rows::value::{Bit, Count, Printed, Reason, Text, Width};
 use crate::rows::{Meta, Row};
 use crate::source::Sp;
 
@@ -23,7 +23,7 @@ rows! {
         /// Address: `607D:01`, `3000:01..63`, or `607D` for the index as a whole.
         at "at": required At,
         /// Name as printed.
-        name "name": optional Name,
+        name "name": optional Printed,
         /// Data type.
         ty "type": optional Type,
         /// SDO access.
@@ -46,7 +46,7 @@ rows! {
         bits "bits": optional Text,
         /// Variable, array or record; only for an index as a whole.
         kind "kind": optional ObjectKind,
-        /// The name that generated code uses, where the printed one clashes or starts with a digit.
+        /// The name that generated code uses, where the printed one clashes, starts with a digit or is in another script.
         rename "rename": optional Name,
         /// What it is for, in your own words.
         text "text": optional Text,
@@ -75,8 +75,8 @@ rows! {
         /// The value.
         value "value": required Count,
         /// The value's name.
-        label "label": required Name,
-        /// The name that generated code uses, where the printed one clashes or starts with a digit.
+        label "label": required Printed,
+        /// The name that generated code uses, where the printed one clashes, starts with a digit or is in another script.
         rename "rename": optional Name,
         /// What the value does, in your own words.
         text "text": optional Text,
@@ -98,8 +98,8 @@ rows! {
         /// The mode of operation (6060h) in which it has this meaning; every mode when left out.
         mode "mode": optional i8,
         /// The bit's name.
-        label "label": required Name,
-        /// The name that generated code uses, where the printed one clashes or starts with a digit.
+        label "label": required Printed,
+        /// The name that generated code uses, where the printed one clashes, starts with a digit or is in another script.
         rename "rename": optional Name,
         /// What it does, in your own words.
         text "text": optional Text,
@@ -120,8 +120,8 @@ rows! {
         /// Auxiliary code of the emergency message.
         aux "aux": optional u16,
         /// Its name.
-        name "name": required Name,
-        /// The name that generated code uses, where the printed one clashes or starts with a digit.
+        name "name": required Printed,
+        /// The name that generated code uses, where the printed one clashes, starts with a digit or is in another script.
         rename "rename": optional Name,
         /// How it is cleared.
         reset "reset": optional Reset,

@@ -67,7 +67,7 @@ rows! {
     ErratumRow in errata, key |row| { format!("erratum {}", row.id.value.0) } {
         /// Id, unique in the profile.
         id "id": required Text,
-        /// The row: `607D:01`, `alarm OF`, `pdo 1600:1`, `enum NAME=1`, `bits NAME.4`, `drive`.
+        /// The row: `607D:01`, `alarm OF` or `alarm OF 0x25`, `pdo 1600:1`, `enum NAME=1`, `bits NAME.4`, `drive`.
         at "at": required Text,
         /// The key of that row.
         field "field": required Text,
