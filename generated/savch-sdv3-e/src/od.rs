@@ -274,7 +274,7 @@ pub const RXPDO2_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(
 /// Manual: 6.1 T6-1 L1089.
 /// The default is inferred: two objects are mapped below it.
 ///
-/// Erratum E023, max: printed 10. The row is shifted by one cell to the right in the text extract: the index stands under the sub-index, the range 0\~10 under the default, and the default is lost. In the rows below only the sub-index is out of place (L1090 to L1099). That the default is 2, as in the neighbours, follows from the two objects mapped; it is not printed.
+/// Erratum E023, max: printed 10, kept. The row is shifted by one cell to the right in the text extract: the index stands under the sub-index, the range 0\~10 under the default, and the default is lost. In the rows below only the sub-index is out of place (L1090 to L1099). That the default is 2, as in the neighbours, follows from the two objects mapped; it is not printed.
 #[doc(alias = "1602")]
 pub const NUMBER_OF_MAPPED_RXPDO3: Object<u8, Rw, Unmapped, Raw> =
     Object::new(0x1602, 0x00).range(0, 10);
@@ -995,7 +995,7 @@ pub const SM_OUTPUT_SYNC_ERROR: Object<bool, Ro, Unmapped, Raw> = Object::new(0x
 /// Manual: 6.1 T6-1 L1188.
 /// The default is inferred: the highest sub-index that is printed.
 ///
-/// Erratum E024, access: printed "ro". The row is shifted by one cell to the right in the text extract: RO stands under the PDO map, and the default is lost. In the rows below only the sub-index is out of place (L1189 to L1199). Its neighbour has 32.
+/// Erratum E024, access: printed "ro", kept. The row is shifted by one cell to the right in the text extract: RO stands under the PDO map, and the default is lost. In the rows below only the sub-index is out of place (L1189 to L1199). Its neighbour has 32.
 #[doc(alias = "1C33")]
 pub const SM_INPUT_PARAMETER: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C33, 0x00);
 
@@ -1040,7 +1040,7 @@ pub const SM_INPUT_SYNCHRONIZATION_TYPES_SUPPORTED: Object<u16, Ro, Unmapped, Ra
 /// In ns; default 0.
 /// Manual: 6.1 T6-1 L1193.
 ///
-/// Erratum E067, default: printed 0. As for E064.
+/// Erratum E067, default: printed 0, kept. As for E064.
 #[doc(alias = "1C33")]
 pub const SM_INPUT_MINIMUM_CYCLE_TIME: Object<u32, Ro, Unmapped, Time> =
     Object::new(0x1C33, 0x05).scale(1, 1_000_000_000);
@@ -4552,7 +4552,7 @@ pub const PEAK_TORQUE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100, 0x04
 /// In 0.1 A.
 /// Manual: 6.3 T6-3 L1283.
 ///
-/// Erratum E047, name: printed "Motor Current". As for E046.
+/// Erratum E047, name: printed "Motor Current", kept. As for E046.
 #[doc(alias = "3100")]
 pub const MOTOR_CURRENT: Object<i32, Ro, Unmapped, Current> =
     Object::new(0x3100, 0x05).scale(1, 10);
@@ -4624,7 +4624,7 @@ pub const FEEDBACK_CUMULATIVE_PULSE: Object<i32, Ro, Unmapped, Counts> = Object:
 /// In count.
 /// Manual: 6.3 T6-3 L1290.
 ///
-/// Erratum E049, name: printed "Cumulative Input Pulse". As for E048.
+/// Erratum E049, name: printed "Cumulative Input Pulse", kept. As for E048.
 #[doc(alias = "3100")]
 pub const CUMULATIVE_INPUT_PULSE: Object<i32, Ro, Unmapped, Counts> = Object::new(0x3100, 0x0C);
 
@@ -4661,7 +4661,7 @@ pub const DC_LINK_VOLTAGE_MIN: Object<i32, Ro, Unmapped, Voltage> = Object::new(
 /// In 0.01 V.
 /// Manual: 6.3 T6-3 L1295.
 ///
-/// Erratum E050, name: printed "VREF Input Voltage". As for E048: the connector has no analog input.
+/// Erratum E050, name: printed "VREF Input Voltage", kept. As for E048: the connector has no analog input.
 #[doc(alias = "3100")]
 pub const VREF_INPUT_VOLTAGE: Object<i32, Ro, Unmapped, Voltage> =
     Object::new(0x3100, 0x11).scale(1, 100);
@@ -4672,9 +4672,9 @@ pub const VREF_INPUT_VOLTAGE: Object<i32, Ro, Unmapped, Voltage> =
 /// Note: The row is shifted by one cell in the text extract: see E041.
 /// Manual: 6.3 T6-3 L1296.
 ///
-/// Erratum E041, unit: printed "0.01 V". The cells of the row are shifted by one to the left in the text extract: the sub-index stands under the index and 0.01V under the name. Read like the row above it.
+/// Erratum E041, unit: printed "0.01 V", kept. The cells of the row are shifted by one to the left in the text extract: the sub-index stands under the index and 0.01V under the name. Read like the row above it.
 ///
-/// Erratum E051, name: printed "TREF Input Voltage". As for E050.
+/// Erratum E051, name: printed "TREF Input Voltage", kept. As for E050.
 #[doc(alias = "3100")]
 pub const TREF_INPUT_VOLTAGE: Object<i32, Ro, Unmapped, Voltage> =
     Object::new(0x3100, 0x12).scale(1, 100);
@@ -4785,7 +4785,7 @@ pub const ALARM_RECORD_MOTOR_CURRENT: Object<i32, Ro, Unmapped, Ratio> =
 /// Note: Printed as 1 %, without saying of what.
 /// Manual: 6.3 T6-3 L1310.
 ///
-/// Erratum E055, unit: printed "%". As for E053.
+/// Erratum E055, unit: printed "%", kept. As for E053.
 #[doc(alias = "3201")]
 pub const ALARM_RECORD_EFFECTIVE_TORQUE: Object<i32, Ro, Unmapped, Ratio> =
     Object::new(0x3201, 0x0A).scale(1, 100);
@@ -4818,7 +4818,7 @@ pub const ALARM_RECORD_COMMAND_POSITION: Object<i32, Ro, Unmapped, UserPosition>
 /// Note: The row is shifted by one cell in the text extract: see E042.
 /// Manual: 6.3 T6-3 L1314.
 ///
-/// Erratum E042, default: printed 0. The cells of the row are shifted by one to the left in the text extract: 0 stands under the range and the default is empty. Read like the row above it.
+/// Erratum E042, default: printed 0, kept. The cells of the row are shifted by one to the left in the text extract: 0 stands under the range and the default is empty. Read like the row above it.
 #[doc(alias = "3201")]
 pub const SEQUENCE_MODE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x0E);
 
@@ -5108,7 +5108,7 @@ pub const VELOCITY_WINDOW: Object<u16, Rw, RxTx, Velocity> =
 /// Manual: 6.2 T6-2 L1222.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E070, unit: printed "rpm". As for E069.
+/// Erratum E070, unit: printed "rpm", kept. As for E069.
 #[doc(alias = "606F")]
 pub const VELOCITY_THRESHOLD: Object<u16, Rw, RxTx, Velocity> =
     Object::new(0x606F, 0x00).range(10, 6000);
@@ -5231,7 +5231,7 @@ pub const MAXIMAL_PROFILE_VELOCITY: Object<u32, Rw, RxTx, Velocity> =
 /// Manual: 6.2 T6-2 L1235.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E032, max: printed 60000. As for E031; here 4.5 and 4.6 print 0.01\~6000.0.
+/// Erratum E032, max: printed 60000, kept. As for E031; here 4.5 and 4.6 print 0.01\~6000.0.
 ///
 /// Erratum E033, name: printed "Maximal Motor Speed". 4.5 has Maximum Motor Speed. Kept, the one that four tables print.
 #[doc(alias = "6080")]
@@ -5440,7 +5440,7 @@ pub const FORWARD_TORQUE_LIMIT: Object<u16, Rw, RxTx, TorqueRatio> =
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 /// The unit is inferred: 1‰ is printed; that the whole is rated torque is the definition of CiA 402.
 ///
-/// Erratum E039, default: printed 3000. As for E038.
+/// Erratum E039, default: printed 3000, kept. As for E038.
 #[doc(alias = "60E1")]
 pub const INVERT_TORQUE_LIMIT: Object<u16, Rw, RxTx, TorqueRatio> =
     Object::new(0x60E1, 0x00).range(0, 4500).scale(1, 1000);

@@ -95,10 +95,11 @@ fn errata(entry: &Entry, model: &Model) -> Vec<String> {
     lines.into_iter().flat_map(|l| [String::new(), l]).collect()
 }
 
-/// What becomes of a printed value. Where it is kept, the reason says so.
+/// What becomes of a printed value. That it is kept is not said twice.
 pub(super) fn outcome(erratum: &Erratum) -> String {
-    let kept = erratum.set.is_none() && !erratum.unset;
-    if kept { String::new() } else { format!(", {}", erratum.outcome(rust_doc)) }
+    let outcome = erratum.outcome(rust_doc);
+    let said = outcome == "kept" && erratum.why.to_lowercase().contains("kept");
+    if said { String::new() } else { format!(", {outcome}") }
 }
 
 /// What a table is, and where its values or bits are found: `Controlword: bits of 6040:00.`

@@ -39,18 +39,18 @@ pub const ASSIGNED_PDOS: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x1C12,
 
 /// Assigned PDO, `1C12:01`: UNSIGNED16, rw, mapping not stated.
 ///
-/// 1600h to 1603h; only 1600h, 1603h.
+/// 1600h to 1603h; only 1600h, 1603h; default 1600h.
 /// Manual: 2 L5.
 #[doc(alias = "1C12")]
 pub const ASSIGNED_PDO: Object<u16, Rw, MapNotStated, Raw> =
     Object::new(0x1C12, 0x01).range(0x1600, 0x1603).allow(&[0x1600, 0x1603]);
 
-/// Speed, `2000:00`: INTEGER32, rw, mapping not stated.
+/// Speed, `2000:00`: INTEGER32, rw, RxPDO.
 ///
 /// In 0.1 rpm; -60000 to 60000 (-6000 to 6000 rpm); default 505 (50.5 rpm).
 /// Manual: 2 L6.
 #[doc(alias = "2000")]
-pub const SPEED: Object<i32, Rw, MapNotStated, Velocity> =
+pub const SPEED: Object<i32, Rw, Rx, Velocity> =
     Object::new(0x2000, 0x00).range(-60_000, 60_000).scale(1, 10);
 
 /// Angle, `2001:00`: UNSIGNED16, rw, mapping not stated.

@@ -21,8 +21,8 @@ pub static OBJECTS: [ObjectDesc<'static>; 14] = [
     ObjectDesc::new(Address::new(0x1001, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Error register").default_int(0x11).bits(0),
     ObjectDesc::new(Address::new(0x1006, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Cycle").range(250, 100_000).unit(0),
     ObjectDesc::new(Address::new(0x1C12, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "Assigned PDOs").range(0, 1).default_int(1),
-    ObjectDesc::new(Address::new(0x1C12, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Assigned PDO").range(0x1600, 0x1603),
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "Speed").range(-60_000, 60_000).default_int(505).unit(1),
+    ObjectDesc::new(Address::new(0x1C12, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Assigned PDO").range(0x1600, 0x1603).default_int(0x1600),
+    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::INTEGER32, Access::Rw, Mapping::Rx, "Speed").range(-60_000, 60_000).default_int(505).unit(1),
     ObjectDesc::new(Address::new(0x2001, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Angle").range(0, 719).default_int(90).unit(2),
     ObjectDesc::new(Address::new(0x2002, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Torque").range(i64::MIN, 3000).unit(3),
     ObjectDesc::new(Address::new(0x2003, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Option").default_int(11).values(0),
@@ -59,7 +59,9 @@ pub static BIT_FIELDS: [BitFieldDesc<'static>; 2] = [
 ];
 
 /// Process data as the drive ships, by index.
-pub static PDOS: [PdoDesc<'static>; 0] = [];
+pub static PDOS: [PdoDesc<'static>; 1] = [
+    PdoDesc::new(Address::new(0x1600, 0x00), Direction::Rx, &super::pdo::Rx1::MAPPING),
+];
 
 /// The whole drive.
 pub static MODEL: DriveModel<'static> = DriveModel::new(
