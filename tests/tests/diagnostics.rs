@@ -89,15 +89,18 @@ fn folders() -> Vec<Case> {
     made.iter().map(case).collect()
 }
 
-fn folder(root: &Path, name: &str, fill: fn(&Path)) -> PathBuf {
+fn folder(root: &Path, name: &str, fill: Fill) -> PathBuf {
     let folder = root.join(name);
     fs::create_dir_all(&folder).expect("a folder");
     fill(&folder);
     folder
 }
 
+/// Puts into a folder what makes it unreadable.
+type Fill = fn(&Path);
+
 /// Names of cases, and what makes the folder of each.
-const UNREADABLE: &[(&str, fn(&Path))] = &[
+const UNREADABLE: &[(&str, Fill)] = &[
     ("E0001-no-file", |_| {}),
     ("E0002-too-large", |folder| {
         let length = u64::try_from(limits::FILE_BYTES).expect("a length") + 1;
@@ -251,7 +254,7 @@ fn no_snapshot_is_left_over() {
     let names = cases().into_iter().map(|c| c.name).chain(["github".to_owned(), "json".to_owned()]);
     let wanted: BTreeSet<String> = names.map(|name| format!("{name}.snap")).collect();
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/snapshots/diagnostics");
-    let name = |path: &std::path::PathBuf| path.file_name().expect("a name").to_string_lossy().into_owned();
+    let name = |path: &PathBuf| path.file_name().expect("a name").to_string_lossy().into_owned();
     let found: BTreeSet<String> = entries(&folder).iter().map(name).collect();
     assert_eq!(found, wanted);
 }
