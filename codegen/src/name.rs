@@ -18,8 +18,6 @@ pub enum Case {
     Snake,
     /// `TargetPosition`
     Pascal,
-    /// `target-position`
-    Kebab,
 }
 
 impl Name {
@@ -48,7 +46,6 @@ impl Name {
     pub fn to_case(&self, case: Case) -> String {
         match case {
             Case::Snake => self.words.join("_"),
-            Case::Kebab => self.words.join("-"),
             Case::UpperSnake => self.words.join("_").to_ascii_uppercase(),
             Case::Pascal => self.words.iter().map(|w| capital(w)).collect(),
         }
@@ -58,7 +55,7 @@ impl Name {
     pub fn to_identifier(&self, case: Case) -> String {
         let mut text = self.to_case(case);
         if text.starts_with(|c: char| c.is_ascii_digit()) {
-            text.insert(0, if matches!(case, Case::Snake | Case::Kebab) { 'n' } else { 'N' });
+            text.insert(0, if case == Case::Snake { 'n' } else { 'N' });
         }
         text
     }
@@ -77,7 +74,8 @@ fn capital(word: &str) -> String {
 
 /// Words end at anything that is no ASCII letter or digit, where a lower-case letter meets an upper-case one, and before
 /// the last capital of a run that a lower-case letter follows (`PDOAssign` is `pdo assign`). A digit stays with what is
-/// before it (`rxpdo1`, `x2`), and plural or mixed abbreviations of the field (`RxPDO`, `CiA`) stay one word.
+/// before it (`rxpdo1`, `x2`), and abbreviations of the field that mix cases (`RxPDO`, `CiA`) stay one word, as do their
+/// plurals.
 fn split(text: &str) -> Vec<String> {
     let mut words = Vec::new();
     for part in text.split(|c: char| !c.is_ascii_alphanumeric()).filter(|p| !p.is_empty()) {
@@ -87,15 +85,30 @@ fn split(text: &str) -> Vec<String> {
 }
 
 /// Abbreviations that mix cases and are one word all the same.
-const WHOLE: &[&str] = &["RxPDO", "TxPDO", "RPDO", "TPDO", "CiA", "EtherCAT", "CANopen", "ModeOp"];
+const WHOLE: &[&str] = &["RxPDO", "TxPDO", "RPDO", "TPDO", "CiA", "EtherCAT", "CANopen"];
+
+/// Whether what stands at `at` is the `s` of a plural, and the end of a word.
+fn is_plural(part: &[u8], at: usize) -> bool {
+    part.get(at) == Some(&b's') && !part.get(at + 1).is_some_and(u8::is_ascii_lowercase)
+}
+
+/// The abbreviation at `at`, with the `s` of its plural; one inside of a word, as in `SpeCiAl`, is none.
+fn whole(part: &[u8], at: usize) -> Option<&[u8]> {
+    let word = WHOLE.iter().find(|w| part[at..].starts_with(w.as_bytes()))?;
+    let end = at + word.len();
+    let plural = is_plural(part, end);
+    let goes_on = part.get(end).is_some_and(u8::is_ascii_lowercase) && !plural;
+    let inside = at.checked_sub(1).is_some_and(|before| part[before].is_ascii_uppercase());
+    (!inside && !goes_on).then(|| &part[at..end + usize::from(plural)])
+}
 
 fn split_part(part: &[u8], words: &mut Vec<String>) {
     let mut word = String::new();
     let mut at = 0;
     while at < part.len() {
-        if let Some(whole) = WHOLE.iter().find(|w| part[at..].starts_with(w.as_bytes())) {
+        if let Some(whole) = whole(part, at) {
             flush(&mut word, words);
-            word.push_str(&whole.to_ascii_lowercase());
+            word.extend(whole.iter().map(|c| char::from(c.to_ascii_lowercase())));
             at += whole.len();
             if part.get(at).is_some_and(u8::is_ascii_alphabetic) {
                 flush(&mut word, words);
@@ -104,12 +117,12 @@ fn split_part(part: &[u8], words: &mut Vec<String>) {
         }
         let c = part[at];
         let before = at.checked_sub(1).and_then(|i| part.get(i));
-        let after = part.get(at + 1);
         let lower_then_upper =
             before.is_some_and(|b| b.is_ascii_lowercase() || b.is_ascii_digit()) && c.is_ascii_uppercase();
         let run_ends = before.is_some_and(u8::is_ascii_uppercase)
             && c.is_ascii_uppercase()
-            && after.is_some_and(u8::is_ascii_lowercase);
+            && part.get(at + 1).is_some_and(u8::is_ascii_lowercase)
+            && !is_plural(part, at + 1);
         if lower_then_upper || run_ends {
             flush(&mut word, words);
         }
@@ -141,7 +154,16 @@ mod tests {
         assert_eq!(words("PDOAssign"), "pdo assign");
         assert_eq!(words("1st RxPDO1 Mapped Object"), "1st rxpdo1 mapped object");
         assert_eq!(words("Quick-stop (option) code"), "quick stop option code");
+        assert_eq!(words("ModeOp"), "mode op");
         assert_eq!(words("\u{202E}"), "");
+    }
+
+    #[test]
+    fn abbreviations_are_words_of_their_own() {
+        assert_eq!(words("CiA402 EtherCATState NoRxPDO"), "cia402 ethercat state no rxpdo");
+        assert_eq!(words("RxPDOs, TPDOs, PDOs, SDOsOff"), "rxpdos tpdos pdos sdos off");
+        assert_eq!(words("SpeCiAl"), "spe ci al");
+        assert_eq!(words("XRxPDO"), "x rx pdo");
     }
 
     #[test]

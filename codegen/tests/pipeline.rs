@@ -172,3 +172,21 @@ fn the_order_of_files_and_rows_does_not_matter() {
     backward.reverse();
     assert_eq!(forward.model, compile(backward).model);
 }
+
+/// Cases without numbers are told apart by their start; those of one start may have another case between them.
+#[test]
+fn cases_of_one_start_are_one_case() {
+    let row = |when: &str, line: u8| {
+        format!(
+            r#"{{ method = 1, when = "{when}", moves = "- slow until home on; latch", src = "1 L{line}" }},"#
+        )
+    };
+    let of = |rows: &[String]| {
+        let homing = format!("homing = [\n{}\n]\n", rows.join("\n"));
+        let found = codes("", &[("homing.toml", &homing)]);
+        found.into_iter().filter(|c| c.starts_with("E0202")).collect::<Vec<_>>()
+    };
+    assert_eq!(of(&[row("home off", 1), row("home on", 2)]), [""; 0]);
+    let again = of(&[row("home off", 1), row("home on", 2), row("home off", 3)]);
+    assert_eq!(again, ["E0202 homing.toml:4:1"]);
+}

@@ -11,6 +11,7 @@ pub mod address;
 pub mod bit_field;
 pub mod constant;
 pub mod data_type;
+pub mod homing;
 pub mod mapping;
 pub mod model;
 pub mod object;
@@ -24,6 +25,7 @@ pub mod wire;
 pub mod wire_enum;
 
 mod ratio;
+mod word;
 
 pub use abort::AbortCode;
 pub use address::Address;
@@ -47,10 +49,11 @@ pub mod prelude {
     pub use crate::address::Address;
     pub use crate::bit_field::{BitDesc, BitFieldDesc, Bits};
     pub use crate::data_type::DataType;
+    pub use crate::homing::{HomingCase, HomingDesc};
     pub use crate::mapping::{Direction, MapNotStated, Mapping, MapsRx, MapsTx, Rx, RxTx, Tx, Unmapped};
     pub use crate::model::{
-        AlarmDesc, AlarmText, Allowed, DefaultValue, DriveModel, Identity, Meaning, ModelError, ObjectDesc,
-        PdoDesc, Remap, Reset, TextDefault, UnitDesc,
+        AlarmDesc, AlarmText, Allowed, DefaultValue, DriveModel, EsmAfter, EsmState, Identity, Led, Meaning,
+        ModelError, ObjectDesc, PdoDesc, Remap, Reset, SyncMode, TextDefault, UnitDesc,
     };
     pub use crate::object::{ConvertError, EncodeError, Object, RangeError};
     pub use crate::pdo::{LayoutMismatch, MapEntry, ProcessData};

@@ -92,6 +92,9 @@ mod tests {
         both::<(Access, Mapping)>();
         both::<(Direction, QuantityKind)>();
         both::<(Reset, Remap)>();
+        both::<(EsmState, EsmAfter)>();
+        both::<(SyncMode, Led)>();
+        both::<(crate::homing::Step, crate::homing::Level)>();
         both::<(I24, U56)>();
     }
 }

@@ -22,6 +22,23 @@ OF_PROFILES = [
     ("number", lambda p: p["pdo"][0].update(map=65536)),
     ("kind of value", lambda p: p["objects"][0].update(name=5)),
     ("table", lambda p: p.update(objcets=[])),
+    ("text for true or false", lambda p: p["errata"][0].update(unset="true")),
+    ("number for true or false", lambda p: p["errata"][0].update(unset=1)),
+    ("word of a homing row", lambda p: p["homing"][0].update(status="missing")),
+    ("word in a list", lambda p: p["homing"][0].update(mask=["index"])),
+    ("mode below what a byte holds", lambda p: p["modes"][0].update(mode=-129)),
+    ("address in a list", lambda p: p["modes"][0].update(objects=["6040"])),
+    ("mask of a state", lambda p: p["states"][0].update(mask=65536)),
+    ("edge of a command", lambda p: p["commands"][0].update(edge="rising")),
+    ("code of an abort", lambda p: p["aborts"][0].update(code=-1)),
+    ("word of a terminal", lambda p: p["io"][0].update(kind="in")),
+    ("word of a SyncManager", lambda p: p["sync_managers"][0].update(use="mailbox")),
+    ("number of an FMMU", lambda p: p["fmmus"][0].pop("number")),
+    ("word of the emergency message", lambda p: p["emcy"][0].update(holds="code")),
+    ("occasion of a rule", lambda p: p["rules"][0].update(on="always")),
+    ("range of an example", lambda p: p["examples"][0].update(write="1A00:1..2")),
+    ("effect of a parameter", lambda p: p["objects"][0].update(effect="now")),
+    ("state in which an alarm is found", lambda p: p["alarms"][0].update(esm=["Boot"])),
 ]
 
 
@@ -36,11 +53,21 @@ def first_fact(node):
     return None
 
 
+def first_case(model):
+    """The first case of the first homing method that has one."""
+    return next(case for method in model["homing"] for case in method["cases"])
+
+
 OF_MODELS = [
     ("format", lambda m: m.update(format="1")),
     ("table that is missing", lambda m: m.pop("objects")),
     ("table that nobody knows", lambda m: m.update(objcets=[])),
     ("class of a fact", lambda m: first_fact(m).update({"class": "guessed"})),
+    ("word of a homing method", lambda m: m["homing"][0]["status"].update(value="missing")),
+    ("moves that are missing", lambda m: first_case(m).pop("moves")),
+    ("mask of a state", lambda m: m["states"][0]["mask"].update(value=65536)),
+    ("word of a terminal", lambda m: m["terminals"][0]["kind"].update(value="in")),
+    ("dropped value", lambda m: m["errata"][0].update(unset="true")),
 ]
 
 

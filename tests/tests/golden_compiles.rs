@@ -30,9 +30,40 @@ fn krate(name: &str, cases: &[Case], change: impl Fn(&str) -> String) -> PathBuf
         let _ = writeln!(lib, "/// A case.\npub mod {module};");
         self::module(case, &root.join("src").join(module), &change);
     }
+    lib.push_str(&homing_programs(cases));
     fs::write(root.join("Cargo.toml"), manifest).expect("a manifest");
     fs::write(root.join("src/lib.rs"), lib).expect("a root");
     root
+}
+
+/// A test of the crate: homing programs show as the profile has them.
+fn homing_programs(cases: &[Case]) -> String {
+    let mut out = String::from(
+        "#[cfg(test)]\nmod homing {\n    extern crate std;\n    use std::string::ToString;\n    #[test]\n    fn programs() {\n",
+    );
+    for case in cases {
+        let model = format!("super::case_{}::MODEL", case.name.replace('-', "_"));
+        for (n, method) in case.model().homing.iter().enumerate() {
+            let row = format!("{model}.homing_methods()[{n}]");
+            let _ = writeln!(out, "assert_eq!({row}.number(), {});", method.number);
+            let _ = writeln!(out, "assert_eq!({row}.status().word(), {:?});", method.status.value.word());
+            let _ = writeln!(out, "assert_eq!({row}.cases().len(), {});", method.cases.len());
+            for (c, case) in method.cases.iter().enumerate() {
+                let (when, moves) = (case.when.value.to_string(), case.moves.value.to_string());
+                let abort = case.abort.as_ref().map(|a| a.value.to_string());
+                let _ = writeln!(out, "let case = {row}.cases()[{c}];");
+                let _ = writeln!(out, "assert_eq!(case.when().to_string(), {when:?});");
+                let _ = writeln!(out, "assert_eq!(case.moves().to_string(), {moves:?});");
+                let _ = writeln!(out, "let abort = case.abort().map(|a| a.to_string());");
+                let _ = writeln!(
+                    out,
+                    "assert_eq!(abort.as_deref().unwrap_or(\"\"), {:?});",
+                    abort.unwrap_or_default()
+                );
+            }
+        }
+    }
+    out + "    }\n}\n"
 }
 
 /// Writes the modules of a case. Its `lib.rs` becomes `mod.rs`, without what only the root of a crate can say.
@@ -85,7 +116,7 @@ fn golden_rust_compiles_without_warnings() {
     let output = check(&root);
     let said = String::from_utf8_lossy(&output.stdout);
     assert!(output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
-    assert!(said.contains(&format!("{} passed", golden_cases().len())), "{said}");
+    assert!(said.contains(&format!("{} passed", golden_cases().len() + 1)), "{said}");
     let (said, passed) = examples(&root);
     assert!(passed && said.contains("running 0 tests"), "{said}");
     let documented = cargo(&root, &["doc", "--no-deps"]);

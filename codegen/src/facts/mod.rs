@@ -223,15 +223,33 @@ mod tests {
     const PROFILE: &str = r#"
 manuals = [ { id = "m1", title = "T", version = "1", sha256 = "0000000000000000000000000000000000000000000000000000000000000000", lines = 99 } ]
 objects = [
-  { at = "2000:00", name = "Speed", type = "u16", access = "rw", pdo = "rx", min = 0, default = 5, src = "1 L2" },
+  { at = "2000:00", name = "Speed", type = "u16", access = "rw", pdo = "rx", min = 0, default = 5, parameter = "P1", effect = "at once", also = "2 L3", src = "1 L2" },
   { at = "2010", name = "Gains", src = "1 L3" },
   { at = "2010:00", name = "Count", type = "u8", access = "ro", default = 2, inferred = ["default: highest sub-index"], src = "1 L3" },
   { at = "2010:01..02", name = "Gain", type = "u8", access = "ro", assumed = ["access: never said"], src = "1 L3" },
 ]
 enums = [ { name = "z", value = -1, label = "3 phase", rename = "Three phase", src = "L4" }, { name = "a", value = 10, label = "b", src = "L4" }, { name = "a", value = 9, label = "c", src = "L4" } ]
 bits = [ { name = "ctl", bit = 1, width = 2, label = "run", src = "L4" } ]
-alarms = [ { display = "OF", number = 0x25, code = 0x8611, name = "Following", causes = ["a", "b"], src = "L8" } ]
+alarms = [ { display = "OF", number = 0x25, code = 0x8611, name = "Following", causes = ["a", "b"], esm = ["SafeOP", "OP"], esm_after = "kept", sync = "dc", al_status = 0x1A, led = "on", src = "L8" } ]
 pdo = [ { map = 0x1600, dir = "rx", pos = 1, entry = "2000:00", bits = 16, src = "L10" } ]
+homing = [
+  { method = 1, case = 1, start = "negative", approach = "home", reference = "home", side = "negative", edge = "rising", when = "home off", moves = "- fast until home on; latch", abort = "positive_limit on", mask = ["negative_limit"], text = "t", src = "L12" },
+  { method = 1, case = 2, when = "home on", moves = "done", src = "L13" },
+  { method = 2, same = 1, src = "L14" },
+]
+modes = [ { mode = 1, name = "Position", objects = ["2000:00"], src = "L15" } ]
+states = [ { name = "Fault", mask = 0x4F, value = 0x08, src = "L16" } ]
+commands = [ { name = "Reset", mask = 0x80, value = 0x80, edge = true, transitions = [15], src = "L17" } ]
+aborts = [ { code = 0x06020000, name = "No such object", src = "L18" } ]
+io = [ { terminal = "DI1", kind = "input", pin = 1, object = "2000:00", bit = 2, parameter = "P1", src = "L19" } ]
+sync_managers = [ { number = 0, use = "mailbox out", src = "L20" } ]
+fmmus = [ { number = 0, use = "outputs", src = "L21" } ]
+emcy = [ { byte = 0, bytes = 2, holds = "error code", src = "L22" }, { byte = 2, bytes = 6, holds = "reserved", src = "L22" } ]
+rules = [ { id = "R1", text = "r", require = "2000:00 > 0", when = "2010:01 == 1", on = "dc", src = "L23" } ]
+examples = [
+  { id = "X1", entry = "2000:00", bits = 16, parameter = "P1", value = 0x20000010, src = "L24" },
+  { id = "X2", step = 1, write = "2000:00", min = 1, max = 5, src = "L25" },
+]
 errata = [ { id = "E1", at = "2000:00", field = "min", was = 0, seen = "4.2 L42", set = 1, by = "6.2 L12", why = "w", sure = "high" } ]
 [drive]
 format = 1
@@ -288,14 +306,34 @@ pdo_src = "L11"
         assert_eq!(keys.len(), lines.len());
     }
 
-    /// The visitor of the lints walks the model by another way: what it does not visit is counted here by hand.
+    /// The visitor of the lints walks the model by another way: what it does not visit is counted here by hand. Names of
+    /// states and commands and codes of aborts are keys of rows, and neither has them as values.
     #[test]
     fn every_origin_of_the_model_is_a_line() {
         let model = model();
+        let lines = facts(&model);
+        let tables: std::collections::BTreeSet<Table> = lines.iter().map(|l| l.table).collect();
+        assert_eq!(tables.len(), Table::Errata as usize + 1, "the profile has no row of some table");
         let visited: usize = model.row_origins().iter().map(|r| r.origins.len()).sum();
         let kinds_and_name = 2 + 1;
         let width_and_direction = 1 + 1;
-        assert_eq!(Totals::of(&facts(&model)).facts(), visited + kinds_and_name + width_and_direction);
+        assert_eq!(Totals::of(&lines).facts(), visited + kinds_and_name + width_and_direction);
+    }
+
+    /// Values of the rows of behaviour, counted in the profile: each key but those of the row's name and the profile's own.
+    #[test]
+    fn every_key_of_behaviour_is_a_line() {
+        let model = model();
+        let lines = facts(&model);
+        let of = |start: &str| lines.iter().filter(|l| l.key.starts_with(start) && l.class.is_some()).count();
+        let columns = 5;
+        assert_eq!((of("homing 1"), of("homing 2")), (1 + columns + 4 + 2, 1 + 1));
+        assert_eq!((of("mode "), of("state "), of("command "), of("abort ")), (2, 2, 4, 1));
+        assert_eq!((of("terminal "), of("sync manager "), of("fmmu "), of("emcy ")), (5, 1, 1, 2 * 2));
+        assert_eq!((of("rule "), of("example ")), (4, 7));
+        let detection = 5;
+        assert_eq!(of("alarm "), 3 + 2 + detection);
+        assert_eq!(line(&lines, "object 2000:00", "also").value, "2 L3");
     }
 
     #[test]

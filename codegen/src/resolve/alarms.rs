@@ -32,7 +32,7 @@ fn alarm(row: &AlarmRow, errata: &[ErratumRow], sink: &mut Sink) -> Alarm {
         number: says.fact("number", row.number),
         code: says.fact("code", row.code),
         aux: row.aux.map(|v| says.fact("aux", v)),
-        name: says.fact("name", names::used(&row.name, row.rename.as_ref(), sink)),
+        name: says.joint(&["name", "display"], names::used(&row.name, row.rename.as_ref(), sink)),
         printed: row.name.value.0.original().to_owned(),
         reset: row.reset.map(|v| says.fact("reset", v)),
         causes: texts("causes", row.causes.as_ref(), &detail),

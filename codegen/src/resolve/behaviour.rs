@@ -123,7 +123,7 @@ fn state(row: &StateRow, errata: &[ErratumRow]) -> State {
     let says = plain(&row.meta, row.src.as_ref(), errata);
     State {
         name: says.fact("name", row.name.clone()),
-        mask: says.fact("mask", row.mask),
+        mask: says.joint(&["mask", "name"], row.mask),
         value: says.fact("value", row.value),
     }
 }
@@ -132,7 +132,7 @@ fn command(row: &CommandRow, errata: &[ErratumRow]) -> Command {
     let says = plain(&row.meta, row.src.as_ref(), errata);
     Command {
         name: says.fact("name", row.name.clone()),
-        mask: says.fact("mask", row.mask),
+        mask: says.joint(&["mask", "name"], row.mask),
         value: says.fact("value", row.value),
         edge: maybe(&says, "edge", row.edge.as_ref(), |e| e),
         transitions: maybe(&says, "transitions", row.transitions.as_ref(), |t| t),
@@ -149,7 +149,7 @@ fn terminal(row: &TerminalRow, errata: &[ErratumRow]) -> Terminal {
     let says = reasoned(&row.meta, row.src.as_ref(), row.inferred.as_ref(), errata);
     Terminal {
         name: row.terminal.value.0.clone(),
-        kind: says.fact("kind", row.kind),
+        kind: says.joint(&["kind", "terminal"], row.kind),
         pin: maybe(&says, "pin", row.pin.as_ref(), |p| p),
         object: maybe(&says, "object", row.object.as_ref(), |o| o),
         bit: maybe(&says, "bit", row.bit.as_ref(), |b| b.0),

@@ -37,12 +37,13 @@ fn method(rows: &[&HomingRow], errata: &[ErratumRow], sink: &mut Sink) -> Homing
     for (n, row) in rows.iter().enumerate() {
         // Numbered cases may share a start: the event that comes first tells them apart.
         let same = |r: &&&HomingRow| r.case == row.case && (row.case.is_some() || r.when == row.when);
-        if let Some(first) = rows[..n].iter().find(same) {
-            crate::merge::duplicate(*row, *first, sink);
-        }
         complete(row, rows, sink);
+        match (rows[..n].iter().find(same), rows[..n].first()) {
+            (Some(twin), _) => crate::merge::duplicate(*row, *twin, sink),
+            (None, Some(first)) => later(row, first, sink),
+            (None, None) => {}
+        }
     }
-    one_method(rows, sink);
     let first = rows[0];
     let says = says(first, errata);
     let status = first.status.unwrap_or(Sp::new(HomingStatus::Supported, first.meta.span()));
@@ -117,23 +118,19 @@ fn complete(row: &HomingRow, rows: &[&HomingRow], sink: &mut Sink) {
 }
 
 /// Cases have numbers or none has, and what is said of the method as a whole stands in its first row.
-fn one_method(rows: &[&HomingRow], sink: &mut Sink) {
-    let first = rows[0];
-    for row in &rows[1..] {
-        if row.case.is_some() != first.case.is_some() {
-            sink.push(wrong(
-                row.meta.span(),
-                format!("`homing {}` has cases with a number and without", row.method.value),
-                "give each case its `case = ...`, or none",
-            ));
-        }
-        for key in OF_METHOD.iter().filter_map(|key| row.meta.raw.get(key).map(|value| (key, value.span))) {
-            sink.push(wrong(
-                key.1,
-                format!("`{}` of `homing {}` stands in a row that is not its first", key.0, row.method.value),
-                "write it in the row of the first case: it belongs to the method as a whole",
-            ));
-        }
+fn later(row: &HomingRow, first: &HomingRow, sink: &mut Sink) {
+    let method = row.method.value;
+    if row.case.is_some() != first.case.is_some() {
+        sink.push(wrong(
+            row.meta.span(),
+            format!("`homing {method}` has cases with a number and without"),
+            "give each case its `case = ...`, or none",
+        ));
+    }
+    for (key, value) in OF_METHOD.iter().filter_map(|key| Some((key, row.meta.raw.get(key)?))) {
+        let help = "write it in the row of the first case";
+        let text = format!("`{key}` of `homing {method}` stands in a row that is not its first");
+        sink.push(wrong(value.span, text, help).why("it belongs to the method as a whole and would be lost"));
     }
 }
 

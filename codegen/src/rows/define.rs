@@ -43,7 +43,7 @@ macro_rules! is_required {
 }
 
 /// Defines the row structs, their decoders, and [`Rows`], which holds all tables of a profile.
-macro_rules! tables {
+macro_rules! rows {
     ($(
         $(#[doc = $doc:literal])+
         $row:ident in $table:ident, key |$this:ident| $row_key:block {
@@ -100,11 +100,16 @@ macro_rules! tables {
                 }
             }
         )+
+    };
+}
 
+/// Defines the struct of all tables.
+macro_rules! tables {
+    ($( $table:ident: $row:ident, )+) => {
         /// All rows of a profile or base.
         #[derive(Clone, Default, Debug)]
         pub struct Rows {
-            $( $(#[doc = $doc])+ pub $table: Vec<$row>, )+
+            $( #[doc = concat!("The rows of `", stringify!($table), "`.")] pub $table: Vec<$row>, )+
             /// Keys of rows that were left out because something in them is wrong; what refers to them is not reported again.
             pub left_out: BTreeSet<String>,
         }
@@ -134,7 +139,7 @@ macro_rules! tables {
     };
 }
 
-pub(super) use {cite, field_type, finish, is_required, tables};
+pub(super) use {cite, field_type, finish, is_required, rows, tables};
 
 /// Looks at the rows of every table.
 pub trait Visit<'a> {

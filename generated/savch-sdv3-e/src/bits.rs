@@ -6,7 +6,7 @@
 use drivewright_runtime::prelude::*;
 
 bit_field! {
-    /// Bits of controlword.
+    /// Controlword: bits of 6040:00.
     pub struct Controlword(u16) {
         /// Switch on. (4.1.2 L309)
         SWITCH_ON: 0,
@@ -34,7 +34,7 @@ bit_field! {
 }
 
 bit_field! {
-    /// Bits of statusword.
+    /// Statusword: bits of 6041:00.
     pub struct Statusword(u16) {
         /// Ready to switch on. (4.1.3 L344)
         READY_TO_SWITCH_ON: 0,
@@ -96,7 +96,7 @@ bit_field! {
 }
 
 bit_field! {
-    /// Bits of touch probe function.
+    /// Touch probe function: bits of 60B8:00.
     pub struct TouchProbeFunction(u16) {
         /// TP1 enable. 0: touch probe 1 is off. 1: it is on. (4.9.1 L803)
         TP1_ENABLE: 0,
@@ -122,7 +122,7 @@ bit_field! {
 }
 
 bit_field! {
-    /// Bits of touch probe status.
+    /// Touch probe status: bits of 60B9:00.
     pub struct TouchProbeStatus(u16) {
         /// TP1 enable status. 0: touch probe 1 is off. 1: it is on. (4.9.1 L825)
         TP1_ENABLE_STATUS: 0,
@@ -148,7 +148,7 @@ bit_field! {
 }
 
 bit_field! {
-    /// Bits of error register.
+    /// Error register: bits of 1001:00.
     pub struct ErrorRegister(u8) {
         /// Generic. (standard: cia301)
         GENERIC: 0,
@@ -168,7 +168,7 @@ bit_field! {
 }
 
 bit_field! {
-    /// Bits of supported drive modes.
+    /// Supported drive modes: bits of 6502:00.
     pub struct SupportedDriveModes(u32) {
         /// Profile position. (standard: cia402)
         PROFILE_POSITION: 0,

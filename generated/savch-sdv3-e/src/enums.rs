@@ -6,7 +6,7 @@
 use drivewright_runtime::prelude::*;
 
 wire_enum! {
-    /// Values of data loss processing.
+    /// Data loss processing: values of 3003:04.
     pub struct DataLossProcessing(i32) = "data loss processing" {
         /// No processing. (2.4 L149)
         NO_PROCESSING = 0 => "No processing",
@@ -16,7 +16,7 @@ wire_enum! {
 }
 
 wire_enum! {
-    /// Values of data synchronization detection.
+    /// Data synchronization detection: values of 3003:03.
     pub struct DataSynchronizationDetection(i32) = "data synchronization detection" {
         /// No detection. (2.4 L148)
         NO_DETECTION = 0 => "No detection",
@@ -24,7 +24,7 @@ wire_enum! {
 }
 
 wire_enum! {
-    /// Values of keypad display.
+    /// Keypad display: values of 3001:4D.
     pub struct KeypadDisplay(i32) = "keypad display" {
         /// Action mode. (2.4 L142)
         ACTION_MODE = 0 => "Action mode",
@@ -72,7 +72,7 @@ wire_enum! {
 }
 
 wire_enum! {
-    /// Values of mode of operation.
+    /// Mode of operation: values of 6060:00 and 6061:00.
     pub struct ModeOfOperation(i8) = "mode of operation" {
         /// Unset mode. (4.1.4 L376)
         UNSET_MODE = 0 => "Unset mode",
@@ -94,7 +94,7 @@ wire_enum! {
 }
 
 wire_enum! {
-    /// Values of node ID setting.
+    /// Node ID setting: values of 3003:02.
     pub struct NodeIdSetting(i32) = "node ID setting" {
         /// From EEPROM. At start the drive copies the alias of EEPROM address 0004h to ESC register 0x0012. (2.4 L147, 3.7 L286)
         FROM_EEPROM = 0 => "From EEPROM",
@@ -104,7 +104,7 @@ wire_enum! {
 }
 
 wire_enum! {
-    /// Values of position command format.
+    /// Position command format: values of 3001:19.
     pub struct PositionCommandFormat(i32) = "position command format" {
         /// Normal PTP. (2.4 L141)
         NORMAL_PTP = 0 => "Normal PTP",
@@ -114,7 +114,7 @@ wire_enum! {
 }
 
 wire_enum! {
-    /// Values of speed command format.
+    /// Speed command format: values of 3003:0F.
     pub struct SpeedCommandFormat(i32) = "speed command format" {
         /// rpm. (2.4 L151)
         RPM = 0 => "rpm",
@@ -124,7 +124,7 @@ wire_enum! {
 }
 
 wire_enum! {
-    /// Values of speed sampling time.
+    /// Speed sampling time: values of 3002:59.
     pub struct SpeedSamplingTime(i32) = "speed sampling time" {
         /// 62.5 us. (2.4 L143)
         TIME_62_5_US = 0 => "62.5 us",
@@ -146,7 +146,7 @@ wire_enum! {
 }
 
 wire_enum! {
-    /// Values of quick stop option.
+    /// Quick stop option: values of 605A:00.
     pub struct QuickStopOption(i16) = "quick stop option" {
         /// Disable drive function. The motor coasts. (standard: cia402)
         DISABLE_DRIVE_FUNCTION = 0 => "Disable drive function",

@@ -9,11 +9,11 @@ use drivewright_runtime::prelude::*;
 /// Device type, `1000:00`: UNSIGNED32, ro, not mapped.
 ///
 /// Device profile in the low half, 402 for drives; the kind of drive above it.
-/// Default 402.
+/// Default 00000192h.
 /// Note: Printed without the kind of drive in the upper half: see E009.
 /// Manual: 6.1 T6-1 L1055.
 ///
-/// Erratum E009, default: printed 402, kept. CiA 402 has the kind of drive in the upper half: 00020192h for a servo drive. Nothing else in the manual names it. Kept.
+/// Erratum E009, default: printed 402. CiA 402 has the kind of drive in the upper half: 00020192h for a servo drive. Nothing else in the manual names it. Kept.
 #[doc(alias = "1000")]
 pub const DEVICE_TYPE: Object<u32, Ro, Unmapped, Raw> = Object::new(0x1000, 0x00);
 
@@ -31,7 +31,7 @@ pub const ERROR_REGISTER: Object<bits::ErrorRegister, Ro, Unmapped, Raw> =
 /// Default "2S0.75E".
 /// Manual: 6.1 T6-1 L1057.
 ///
-/// Erratum E071, default: printed "2S0.75E", kept. The manual is for a series, and this reads like the type code of one size of it. Kept; another size may well answer something else.
+/// Erratum E071, default: printed "2S0.75E". The manual is for a series, and this reads like the type code of one size of it. Kept; another size may well answer something else.
 #[doc(alias = "1008")]
 pub const DEVICE_NAME: Object<VisibleString, Ro, Unmapped, Raw> = Object::new(0x1008, 0x00);
 
@@ -61,14 +61,14 @@ pub const IDENTITY: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1018, 0x00);
 /// Vendor ID, `1018:01`: UNSIGNED32, ro, not mapped.
 ///
 /// Number of the maker, given by CiA or the ETG.
-/// Default 2022.
+/// Default 000007E6h.
 /// Manual: 6.1 T6-1 L1061.
 #[doc(alias = "1018")]
 pub const VENDOR_ID: Object<u32, Ro, Unmapped, Raw> = Object::new(0x1018, 0x01);
 
 /// Product code, `1018:02`: UNSIGNED32, ro, not mapped.
 ///
-/// Default 1396987443 (53445633h).
+/// Default 53445633h.
 /// Note: The four bytes are the ASCII letters SDV3.
 /// Manual: 6.1 T6-1 L1062.
 #[doc(alias = "1018")]
@@ -76,7 +76,7 @@ pub const PRODUCT_CODE: Object<u32, Ro, Unmapped, Raw> = Object::new(0x1018, 0x0
 
 /// Revision, `1018:03`: UNSIGNED32, ro, not mapped.
 ///
-/// Default 1048592 (00100010h).
+/// Default 00100010h.
 /// Manual: 6.1 T6-1 L1063.
 #[doc(alias = "1018")]
 pub const REVISION: Object<u32, Ro, Unmapped, Raw> = Object::new(0x1018, 0x03);
@@ -95,28 +95,28 @@ pub const SERIAL_NUMBER: Object<u32, Ro, Unmapped, Raw> = Object::new(0x1018, 0x
 /// 0 to 10; default 5.
 /// Manual: 6.1 T6-1 L1065.
 ///
-/// Erratum E072, max: printed 10, kept. Ten objects of 32 bits are 40 bytes, and 3.4 allows 32 bytes in all, here and in the seven other mapping objects; past that the drive stays out of safe-operational. Kept: both limits hold.
+/// Erratum E072, max: printed 10. Ten objects of 32 bits are 40 bytes, and 3.4 allows 32 bytes in all, here and in the seven other mapping objects; past that the drive stays out of safe-operational. Kept: both limits hold.
 #[doc(alias = "1600")]
 pub const NUMBER_OF_MAPPED_RXPDO1: Object<u8, Rw, Unmapped, Raw> =
     Object::new(0x1600, 0x00).range(0, 10);
 
 /// 1st RxPDO1 Mapped Object, `1600:01`: UNSIGNED32, rw, not mapped.
 ///
-/// Default 1614807056 (60400010h).
+/// Default 60400010h.
 /// Manual: 6.1 T6-1 L1066.
 #[doc(alias = "1600")]
 pub const RXPDO1_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x01);
 
 /// 2nd RxPDO1 Mapped Object, `1600:02`: UNSIGNED32, rw, not mapped.
 ///
-/// Default 1618608160 (607A0020h).
+/// Default 607A0020h.
 /// Manual: 6.1 T6-1 L1067.
 #[doc(alias = "1600")]
 pub const RXPDO1_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x02);
 
 /// 3rd RxPDO1 Mapped Object, `1600:03`: UNSIGNED32, rw, not mapped.
 ///
-/// Default 1627324448 (60FF0020h).
+/// Default 60FF0020h.
 /// Manual: 6.1 T6-1 L1068.
 /// The name is inferred: The space is out of place; the other rows of the object have it one place later (L1066).
 ///
@@ -126,7 +126,7 @@ pub const RXPDO1_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0
 
 /// 4th RxPDO1 Mapped Object, `1600:04`: UNSIGNED32, rw, not mapped.
 ///
-/// Default 1618018320 (60710010h).
+/// Default 60710010h.
 /// Manual: 6.1 T6-1 L1069.
 /// The name is inferred: As for E016.
 ///
@@ -136,7 +136,7 @@ pub const RXPDO1_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = Object::new(0
 
 /// 5th RxPDO1 Mapped Object, `1600:05`: UNSIGNED32, rw, not mapped.
 ///
-/// Default 1616904200 (60600008h).
+/// Default 60600008h.
 /// Manual: 6.1 T6-1 L1070.
 #[doc(alias = "1600")]
 pub const RXPDO1_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x05);
@@ -191,14 +191,14 @@ pub const NUMBER_OF_MAPPED_RXPDO2: Object<u8, Rw, Unmapped, Raw> =
 
 /// 1st RxPDO2 Mapped Object, `1601:01`: UNSIGNED32, rw, not mapped.
 ///
-/// Default 1614807056 (60400010h).
+/// Default 60400010h.
 /// Manual: 6.1 T6-1 L1077.
 #[doc(alias = "1601")]
 pub const RXPDO2_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x01);
 
 /// 2nd RxPDO2 Mapped Object, `1601:02`: UNSIGNED32, rw, not mapped.
 ///
-/// Default 1618608160 (607A0020h).
+/// Default 607A0020h.
 /// Manual: 6.1 T6-1 L1080.
 #[doc(alias = "1601")]
 pub const RXPDO2_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x02);
@@ -274,21 +274,21 @@ pub const RXPDO2_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(
 /// Manual: 6.1 T6-1 L1089.
 /// The default is inferred: two objects are mapped below it.
 ///
-/// Erratum E023, max: printed 10, kept. The row is shifted by one cell to the right in the text extract: the index stands under the sub-index, the range 0\~10 under the default, and the default is lost. In the rows below only the sub-index is out of place (L1090 to L1099). That the default is 2, as in the neighbours, follows from the two objects mapped; it is not printed.
+/// Erratum E023, max: printed 10. The row is shifted by one cell to the right in the text extract: the index stands under the sub-index, the range 0\~10 under the default, and the default is lost. In the rows below only the sub-index is out of place (L1090 to L1099). That the default is 2, as in the neighbours, follows from the two objects mapped; it is not printed.
 #[doc(alias = "1602")]
 pub const NUMBER_OF_MAPPED_RXPDO3: Object<u8, Rw, Unmapped, Raw> =
     Object::new(0x1602, 0x00).range(0, 10);
 
 /// 1st RxPDO3 Mapped Object, `1602:01`: UNSIGNED32, rw, not mapped.
 ///
-/// Default 1614807056 (60400010h).
+/// Default 60400010h.
 /// Manual: 6.1 T6-1 L1090.
 #[doc(alias = "1602")]
 pub const RXPDO3_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x01);
 
 /// 2nd RxPDO3 Mapped Object, `1602:02`: UNSIGNED32, rw, not mapped.
 ///
-/// Default 1627324448 (60FF0020h).
+/// Default 60FF0020h.
 /// Manual: 6.1 T6-1 L1091.
 #[doc(alias = "1602")]
 pub const RXPDO3_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x02);
@@ -436,42 +436,42 @@ pub const RXPDO4_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(
 /// 0 to 10; default 5.
 /// Manual: 6.1 T6-1 L1113.
 ///
-/// Erratum E068, min: printed 0, kept. The steps of 3.4 allow 1 to 10. 0 switches the mapping off while it is changed (L225). Kept.
+/// Erratum E068, min: printed 0. The steps of 3.4 allow 1 to 10. 0 switches the mapping off while it is changed (L225). Kept.
 #[doc(alias = "1A00")]
 pub const NUMBER_OF_MAPPED_TXPDO1: Object<u8, Rw, Unmapped, Raw> =
     Object::new(0x1A00, 0x00).range(0, 10);
 
 /// 1st TxPDO1 Mapped Object, `1A00:01`: UNSIGNED32, rw, not mapped.
 ///
-/// Default 1614872592 (60410010h).
+/// Default 60410010h.
 /// Manual: 6.1 T6-1 L1114.
 #[doc(alias = "1A00")]
 pub const TXPDO1_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A00, 0x01);
 
 /// 2nd TxPDO1 Mapped Object, `1A00:02`: UNSIGNED32, rw, not mapped.
 ///
-/// Default 1617166368 (60640020h).
+/// Default 60640020h.
 /// Manual: 6.1 T6-1 L1115.
 #[doc(alias = "1A00")]
 pub const TXPDO1_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A00, 0x02);
 
 /// 3rd TxPDO1 Mapped Object, `1A00:03`: UNSIGNED32, rw, not mapped.
 ///
-/// Default 1617690656 (606C0020h).
+/// Default 606C0020h.
 /// Manual: 6.1 T6-1 L1116.
 #[doc(alias = "1A00")]
 pub const TXPDO1_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A00, 0x03);
 
 /// 4th TxPDO1 Mapped Object, `1A00:04`: UNSIGNED32, rw, not mapped.
 ///
-/// Default 1618477072 (60780010h).
+/// Default 60780010h.
 /// Manual: 6.1 T6-1 L1117.
 #[doc(alias = "1A00")]
 pub const TXPDO1_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A00, 0x04);
 
 /// 5th TxPDO1 Mapped Object, `1A00:05`: UNSIGNED32, rw, not mapped.
 ///
-/// Default 1616969736 (60610008h).
+/// Default 60610008h.
 /// Manual: 6.1 T6-1 L1118.
 #[doc(alias = "1A00")]
 pub const TXPDO1_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A00, 0x05);
@@ -523,14 +523,14 @@ pub const NUMBER_OF_MAPPED_TXPDO2: Object<u8, Rw, Unmapped, Raw> =
 
 /// 1st TxPDO2 Mapped Object, `1A01:01`: UNSIGNED32, rw, not mapped.
 ///
-/// Default 1614872592 (60410010h).
+/// Default 60410010h.
 /// Manual: 6.1 T6-1 L1125.
 #[doc(alias = "1A01")]
 pub const TXPDO2_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x01);
 
 /// 2nd TxPDO2 Mapped Object, `1A01:02`: UNSIGNED32, rw, not mapped.
 ///
-/// Default 1617166368 (60640020h).
+/// Default 60640020h.
 /// Manual: 6.1 T6-1 L1126.
 #[doc(alias = "1A01")]
 pub const TXPDO2_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x02);
@@ -603,14 +603,14 @@ pub const NUMBER_OF_MAPPED_TXPDO3: Object<u8, Rw, Unmapped, Raw> =
 
 /// 1st TxPDO3 Mapped Object, `1A02:01`: UNSIGNED32, rw, not mapped.
 ///
-/// Default 1614872592 (60410010h).
+/// Default 60410010h.
 /// Manual: 6.1 T6-1 L1136.
 #[doc(alias = "1A02")]
 pub const TXPDO3_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x01);
 
 /// 2nd TxPDO3 Mapped Object, `1A02:02`: UNSIGNED32, rw, not mapped.
 ///
-/// Default 1617690656 (606C0020h).
+/// Default 606C0020h.
 /// Manual: 6.1 T6-1 L1137.
 #[doc(alias = "1A02")]
 pub const TXPDO3_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x02);
@@ -795,45 +795,45 @@ pub const SYNC_MANAGER_3: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C00, 0x
 /// 0 to 4; default 1.
 /// Manual: 6.1 T6-1 L1164.
 ///
-/// Erratum E005, max: printed 4, kept. 3.4 says that one RxPDO can be assigned. Kept; a master should write 0 or 1.
+/// Erratum E005, max: printed 4. 3.4 says that one RxPDO can be assigned. Kept; a master should write 0 or 1.
 #[doc(alias = "1C12")]
 pub const SYNC_MANAGER_RXPDO_ASSIGN: Object<u8, Rw, Unmapped, Raw> =
     Object::new(0x1C12, 0x00).range(0, 4);
 
 /// Index of Assigned RxPDO1, `1C12:01`: UNSIGNED16, rw, not mapped.
 ///
-/// 5632 to 5635; default 5632.
+/// 1600h to 1603h; default 1600h.
 /// Manual: 6.1 T6-1 L1165.
 #[doc(alias = "1C12")]
 pub const INDEX_OF_ASSIGNED_RXPDO1: Object<u16, Rw, Unmapped, Raw> =
-    Object::new(0x1C12, 0x01).range(5632, 5635);
+    Object::new(0x1C12, 0x01).range(0x1600, 0x1603);
 
 /// Index of Assigned RxPDO2, `1C12:02`: UNSIGNED16, rw, not mapped.
 ///
-/// 5632 to 5635; default 5633.
+/// 1600h to 1603h; default 1601h.
 /// Note: The range is one cell for all four.
 /// Manual: 6.1 T6-1 L1165 L1166.
 #[doc(alias = "1C12")]
 pub const INDEX_OF_ASSIGNED_RXPDO2: Object<u16, Rw, Unmapped, Raw> =
-    Object::new(0x1C12, 0x02).range(5632, 5635);
+    Object::new(0x1C12, 0x02).range(0x1600, 0x1603);
 
 /// Index of Assigned RxPDO3, `1C12:03`: UNSIGNED16, rw, not mapped.
 ///
-/// 5632 to 5635; default 5634.
+/// 1600h to 1603h; default 1602h.
 /// Note: The range is one cell for all four.
 /// Manual: 6.1 T6-1 L1165 L1167.
 #[doc(alias = "1C12")]
 pub const INDEX_OF_ASSIGNED_RXPDO3: Object<u16, Rw, Unmapped, Raw> =
-    Object::new(0x1C12, 0x03).range(5632, 5635);
+    Object::new(0x1C12, 0x03).range(0x1600, 0x1603);
 
 /// Index of Assigned RxPDO4, `1C12:04`: UNSIGNED16, rw, not mapped.
 ///
-/// 5632 to 5635; default 5635.
+/// 1600h to 1603h; default 1603h.
 /// Note: The range is one cell for all four.
 /// Manual: 6.1 T6-1 L1165 L1168.
 #[doc(alias = "1C12")]
 pub const INDEX_OF_ASSIGNED_RXPDO4: Object<u16, Rw, Unmapped, Raw> =
-    Object::new(0x1C12, 0x04).range(5632, 5635);
+    Object::new(0x1C12, 0x04).range(0x1600, 0x1603);
 
 // 1C13h Sync manager 3 PDO assignment
 
@@ -842,45 +842,45 @@ pub const INDEX_OF_ASSIGNED_RXPDO4: Object<u16, Rw, Unmapped, Raw> =
 /// 0 to 4; default 1.
 /// Manual: 6.1 T6-1 L1169.
 ///
-/// Erratum E006, max: printed 4, kept. 3.4 says that one TxPDO can be assigned. Kept; a master should write 0 or 1.
+/// Erratum E006, max: printed 4. 3.4 says that one TxPDO can be assigned. Kept; a master should write 0 or 1.
 #[doc(alias = "1C13")]
 pub const SYNC_MANAGER_TXPDO_ASSIGN: Object<u8, Rw, Unmapped, Raw> =
     Object::new(0x1C13, 0x00).range(0, 4);
 
 /// Index of Assigned TxPDO1, `1C13:01`: UNSIGNED16, rw, not mapped.
 ///
-/// 6656 to 6659; default 6656.
+/// 1A00h to 1A03h; default 1A00h.
 /// Manual: 6.1 T6-1 L1170.
 #[doc(alias = "1C13")]
 pub const INDEX_OF_ASSIGNED_TXPDO1: Object<u16, Rw, Unmapped, Raw> =
-    Object::new(0x1C13, 0x01).range(6656, 6659);
+    Object::new(0x1C13, 0x01).range(0x1A00, 0x1A03);
 
 /// Index of Assigned TxPDO2, `1C13:02`: UNSIGNED16, rw, not mapped.
 ///
-/// 6656 to 6659; default 6657.
+/// 1A00h to 1A03h; default 1A01h.
 /// Note: The range is one cell for all four.
 /// Manual: 6.1 T6-1 L1170 L1171.
 #[doc(alias = "1C13")]
 pub const INDEX_OF_ASSIGNED_TXPDO2: Object<u16, Rw, Unmapped, Raw> =
-    Object::new(0x1C13, 0x02).range(6656, 6659);
+    Object::new(0x1C13, 0x02).range(0x1A00, 0x1A03);
 
 /// Index of Assigned TxPDO3, `1C13:03`: UNSIGNED16, rw, not mapped.
 ///
-/// 6656 to 6659; default 6658.
+/// 1A00h to 1A03h; default 1A02h.
 /// Note: The range is one cell for all four.
 /// Manual: 6.1 T6-1 L1170 L1172.
 #[doc(alias = "1C13")]
 pub const INDEX_OF_ASSIGNED_TXPDO3: Object<u16, Rw, Unmapped, Raw> =
-    Object::new(0x1C13, 0x03).range(6656, 6659);
+    Object::new(0x1C13, 0x03).range(0x1A00, 0x1A03);
 
 /// Index of Assigned TxPDO4, `1C13:04`: UNSIGNED16, rw, not mapped.
 ///
-/// 6656 to 6659; default 6659.
+/// 1A00h to 1A03h; default 1A03h.
 /// Note: The range is one cell for all four.
 /// Manual: 6.1 T6-1 L1170 L1173.
 #[doc(alias = "1C13")]
 pub const INDEX_OF_ASSIGNED_TXPDO4: Object<u16, Rw, Unmapped, Raw> =
-    Object::new(0x1C13, 0x04).range(6656, 6659);
+    Object::new(0x1C13, 0x04).range(0x1A00, 0x1A03);
 
 // 1C32h Sync manager 2 synchronization
 
@@ -889,7 +889,7 @@ pub const INDEX_OF_ASSIGNED_TXPDO4: Object<u16, Rw, Unmapped, Raw> =
 /// Default 32.
 /// Manual: 6.1 T6-1 L1176.
 ///
-/// Erratum E062, default: printed 32, kept. The highest sub-index, not the number of entries: 11 to 31 are not printed. Sub-indexes are decimal in these tables, so that 32 is 20h. Kept.
+/// Erratum E062, default: printed 32. The highest sub-index, not the number of entries: 11 to 31 are not printed. Sub-indexes are decimal in these tables, so that 32 is 20h. Kept.
 #[doc(alias = "1C32")]
 pub const SM_OUTPUT_PARAMETER: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C32, 0x00);
 
@@ -908,7 +908,7 @@ pub const SM_OUTPUT_SYNCHRONIZATION_TYPE: Object<u16, Ro, Unmapped, Raw> =
 /// In ns; 250000 to 10000000; default 1000000.
 /// Manual: 6.1 T6-1 L1178, 3.5.2 L263.
 ///
-/// Erratum E063, min: printed 250000, kept. In free run mode, the one in which the object is written, 3.5.2 allows 1 ms to 10 ms; 250 us is the limit of DC mode. Kept.
+/// Erratum E063, min: printed 250000. In free run mode, the one in which the object is written, 3.5.2 allows 1 ms to 10 ms; 250 us is the limit of DC mode. Kept.
 #[doc(alias = "1C32")]
 pub const SM_OUTPUT_CYCLE_TIME: Object<u32, Rw, Unmapped, Time> =
     Object::new(0x1C32, 0x02).range(250_000, 10_000_000).scale(1, 1_000_000_000);
@@ -934,7 +934,7 @@ pub const SM_OUTPUT_SYNCHRONIZATION_TYPES_SUPPORTED: Object<u16, Ro, Unmapped, R
 /// In ns; default 0.
 /// Manual: 6.1 T6-1 L1181.
 ///
-/// Erratum E064, default: printed 0, kept. The least cycle that the drive allows is 250 us. 0 may mean that it is not stated. Kept.
+/// Erratum E064, default: printed 0. The least cycle that the drive allows is 250 us. 0 may mean that it is not stated. Kept.
 #[doc(alias = "1C32")]
 pub const SM_OUTPUT_MINIMUM_CYCLE_TIME: Object<u32, Ro, Unmapped, Time> =
     Object::new(0x1C32, 0x05).scale(1, 1_000_000_000);
@@ -995,7 +995,7 @@ pub const SM_OUTPUT_SYNC_ERROR: Object<bool, Ro, Unmapped, Raw> = Object::new(0x
 /// Manual: 6.1 T6-1 L1188.
 /// The default is inferred: the highest sub-index that is printed.
 ///
-/// Erratum E024, access: printed "ro", kept. The row is shifted by one cell to the right in the text extract: RO stands under the PDO map, and the default is lost. In the rows below only the sub-index is out of place (L1189 to L1199). Its neighbour has 32.
+/// Erratum E024, access: printed "ro". The row is shifted by one cell to the right in the text extract: RO stands under the PDO map, and the default is lost. In the rows below only the sub-index is out of place (L1189 to L1199). Its neighbour has 32.
 #[doc(alias = "1C33")]
 pub const SM_INPUT_PARAMETER: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C33, 0x00);
 
@@ -1011,7 +1011,7 @@ pub const SM_INPUT_SYNCHRONIZATION_TYPE: Object<u16, Ro, Unmapped, Raw> = Object
 /// In ns; 250000 to 10000000; default 1000000.
 /// Manual: 6.1 T6-1 L1190.
 ///
-/// Erratum E065, min: printed 250000, kept. As for E063; and 3.5.2 sets the cycle in 1C32h alone. What writing it here does is not said. Kept.
+/// Erratum E065, min: printed 250000. As for E063; and 3.5.2 sets the cycle in 1C32h alone. What writing it here does is not said. Kept.
 #[doc(alias = "1C33")]
 pub const SM_INPUT_CYCLE_TIME: Object<u32, Rw, Unmapped, Time> =
     Object::new(0x1C33, 0x02).range(250_000, 10_000_000).scale(1, 1_000_000_000);
@@ -1022,7 +1022,7 @@ pub const SM_INPUT_CYCLE_TIME: Object<u32, Rw, Unmapped, Time> =
 /// In ns; default 0.
 /// Manual: 6.1 T6-1 L1191, 3.5.1 L253.
 ///
-/// Erratum E066, default: printed 0, kept. P4.09 sets the same time. 2.4 counts it from 26000, so that its default of 0 would give 26000, which is no multiple of 62500; 3.5.1 has 62500 times the parameter and no 26000. Kept.
+/// Erratum E066, default: printed 0. P4.09 sets the same time. 2.4 counts it from 26000, so that its default of 0 would give 26000, which is no multiple of 62500; 3.5.1 has 62500 times the parameter and no 26000. Kept.
 #[doc(alias = "1C33")]
 pub const SM_INPUT_SHIFT_TIME: Object<u32, Rw, Unmapped, Time> =
     Object::new(0x1C33, 0x03).scale(1, 1_000_000_000);
@@ -1040,7 +1040,7 @@ pub const SM_INPUT_SYNCHRONIZATION_TYPES_SUPPORTED: Object<u16, Ro, Unmapped, Ra
 /// In ns; default 0.
 /// Manual: 6.1 T6-1 L1193.
 ///
-/// Erratum E067, default: printed 0, kept. As for E064.
+/// Erratum E067, default: printed 0. As for E064.
 #[doc(alias = "1C33")]
 pub const SM_INPUT_MINIMUM_CYCLE_TIME: Object<u32, Ro, Unmapped, Time> =
     Object::new(0x1C33, 0x05).scale(1, 1_000_000_000);
@@ -2105,14 +2105,14 @@ pub const SERVO_PARAMETER_GROUP_2_24: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Position command format, `3001:19`: INTEGER32, rw, not mapped.
 ///
 /// The position of the motor is held inside the range of 607Dh.
-/// Only 0, 1; default 0.
+/// Only 0 (Normal PTP), 1 (Infinite length); default 0.
 /// Note: The manual does not say for which value; in other rows the description belongs to the default.
 /// Manual: 2.4 L141 L154.
 /// Manual, the type: 6.3 T6-3 L1273.
 /// Manual, the access: 6.3 T6-3 L1273.
 /// Manual, the mapping: 6.3 T6-3 L1273.
 ///
-/// Erratum E106, text: printed "The position of the motor is held inside the range of 607Dh.", kept. The row prints it for no value of its own. With 1, Infinite length, a limit makes little sense; read it for 0. Kept.
+/// Erratum E106, text: printed "The position of the motor is held inside the range of 607Dh.". The row prints it for no value of its own. With 1, Infinite length, a limit makes little sense; read it for 0. Kept.
 #[doc(alias = "3001")]
 pub const POSITION_COMMAND_FORMAT: Object<enums::PositionCommandFormat, Rw, Unmapped, Raw> =
     Object::new(0x3001, 0x19).allow(&[0, 1]);
@@ -2528,7 +2528,7 @@ pub const SERVO_PARAMETER_GROUP_2_76: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Initial display of the keypad, `3001:4D`: INTEGER32, rw, not mapped.
 ///
 /// What the panel shows after power-on; 52, the default, is the EtherCAT status.
-/// From 0; default 52.
+/// From 0; default 52 (EtherCAT status).
 /// Note: The default is outside the printed range: see E105.
 /// Manual: 2.4 L142 L154, 2.2 L103.
 /// Manual, the type: 6.3 T6-3 L1273.
@@ -3575,7 +3575,7 @@ pub const SERVO_PARAMETER_GROUP_3_88: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Feedback speed sampling time, `3002:59`: INTEGER32, rw, not mapped.
 ///
 /// Sampling time of the speed that 606Ch reports.
-/// Only 0, 1, 2, 3, 4, 5, 6, 7; default 1.
+/// Only 0 (62.5 us), 1 (125 us), 2 (250 us), 3 (500 us), 4 (1 ms), 5 (2 ms), 6 (4 ms), 7 (8 ms); default 1.
 /// Manual: 2.4 L143.
 /// Manual, the type: 6.3 T6-3 L1275.
 /// Manual, the access: 6.3 T6-3 L1275.
@@ -3687,7 +3687,7 @@ pub const ECAT_NODE_ID: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0
 /// ECAT node ID setting, `3003:02`: INTEGER32, rw, not mapped.
 ///
 /// Where the node address comes from.
-/// Only 0, 1; default 0.
+/// Only 0 (From EEPROM), 1 (From P4.01); default 0.
 /// Manual: 2.4 L147 L154, 3.7 L286 L287.
 /// Manual, the type: 6.3 T6-3 L1277.
 /// Manual, the access: 6.3 T6-3 L1277.
@@ -3699,13 +3699,13 @@ pub const ECAT_NODE_ID_SETTING: Object<enums::NodeIdSetting, Rw, Unmapped, Raw> 
 /// Data synchronization Detection setting, `3003:03`: INTEGER32, rw, not mapped.
 ///
 /// 0: off. 1 to 99: an alarm when data is lost so many times in a row. For the cyclic synchronous modes.
-/// 0 to 99; default 0.
+/// 0 to 99; default 0 (No detection).
 /// Manual: 2.4 L148 L154.
 /// Manual, the type: 6.3 T6-3 L1277.
 /// Manual, the access: 6.3 T6-3 L1277.
 /// Manual, the mapping: 6.3 T6-3 L1277.
 ///
-/// Erratum E110, text: printed "0: off. 1 to 99: an alarm when data is lost so many times in a row. For the cyclic synchronous modes.", kept. The row calls the alarm a data loss alarm, a name that table 5-1 does not have; cSD names this parameter among its remedies. Kept.
+/// Erratum E110, text: printed "0: off. 1 to 99: an alarm when data is lost so many times in a row. For the cyclic synchronous modes.". The row calls the alarm a data loss alarm, a name that table 5-1 does not have; cSD names this parameter among its remedies. Kept.
 #[doc(alias = "3003")]
 pub const DATA_SYNCHRONIZATION_DETECTION_SETTING: Object<enums::DataSynchronizationDetection, Rw, Unmapped, Raw> =
     Object::new(0x3003, 0x03).range(0, 99);
@@ -3713,7 +3713,7 @@ pub const DATA_SYNCHRONIZATION_DETECTION_SETTING: Object<enums::DataSynchronizat
 /// Data Loss Processing Settings, `3003:04`: INTEGER32, rw, not mapped.
 ///
 /// What happens in cyclic synchronous position mode when a position is missing.
-/// Only 0, 1; default 1.
+/// Only 0 (No processing), 1 (Repeat last increment); default 1.
 /// Manual: 2.4 L149 L154.
 /// Manual, the type: 6.3 T6-3 L1277.
 /// Manual, the access: 6.3 T6-3 L1277.
@@ -3764,9 +3764,9 @@ pub const SERVO_PARAMETER_GROUP_4_8: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Manual, the access: 6.3 T6-3 L1277.
 /// Manual, the mapping: 6.3 T6-3 L1277.
 ///
-/// Erratum E107, text: printed "Shift of the time at which inputs are latched: 26000 + value \* 62500.", kept. 3.5.1 has no 26000 and wants multiples of 62500 in 1C33:03, which the sum never is; without it the highest value, 160, is exactly the longest cycle of 10 ms. Kept; read 1C33:03 after power-on.
+/// Erratum E107, text: printed "Shift of the time at which inputs are latched: 26000 + value \* 62500.". 3.5.1 has no 26000 and wants multiples of 62500 in 1C33:03, which the sum never is; without it the highest value, 160, is exactly the longest cycle of 10 ms. Kept; read 1C33:03 after power-on.
 ///
-/// Erratum E108, effect: printed "power cycle", kept. In 2.4 the parameter has no mark of those that wait for power-on. 3.5.1 says so in words. Kept.
+/// Erratum E108, effect: printed "power cycle". In 2.4 the parameter has no mark of those that wait for power-on. 3.5.1 says so in words. Kept.
 #[doc(alias = "3003")]
 pub const INPUT_SHIFT_TIME_SETTING: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3003, 0x09).range(0, 160);
@@ -3814,13 +3814,13 @@ pub const SERVO_PARAMETER_GROUP_4_14: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Speed command format, `3003:0F`: INTEGER32, rw, not mapped.
 ///
 /// Format of the values that concern commanded speed.
-/// Only 0, 1; default 0.
+/// Only 0 (rpm), 1 (unit/s); default 0.
 /// Manual: 2.4 L151.
 /// Manual, the type: 6.3 T6-3 L1277.
 /// Manual, the access: 6.3 T6-3 L1277.
 /// Manual, the mapping: 6.3 T6-3 L1277.
 ///
-/// Erratum E111, values: printed "speed command format", kept. It is said to concern commands; the tables mark actual values (606B, 606C) as switchable too. Which of several parameters the note means is not printed. Kept.
+/// Erratum E111, values: printed "speed command format". It is said to concern commands; the tables mark actual values (606B, 606C) as switchable too. Which of several parameters the note means is not printed. Kept.
 #[doc(alias = "3003")]
 pub const SPEED_COMMAND_FORMAT: Object<enums::SpeedCommandFormat, Rw, Unmapped, Raw> =
     Object::new(0x3003, 0x0F).allow(&[0, 1]);
@@ -3836,7 +3836,7 @@ pub const SERVO_PARAMETER_GROUP_4_16: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Object monitoring, `3003:11`: INTEGER32, rw, not mapped.
 ///
 /// The object that panel page dp-12 shows: index in the upper 4 hexadecimal digits, sub-index in the lower 2.
-/// Default 6308096 (00604100h).
+/// Default 6308096.
 /// Note: The default has 4 digits of index and 2 digits of sub-index: see E109.
 /// Manual: 2.4 L152.
 /// Manual, the type: 6.3 T6-3 L1277.
@@ -4543,7 +4543,7 @@ pub const COMMAND_TORQUE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100, 0
 ///
 /// Erratum E040, name: printed "Peak Toque", used "Peak Torque". A letter is lost.
 ///
-/// Erratum E046, name: printed "Peak Toque", kept. Up to 16, P2.77 numbers what the panel shows as 3100h does, except that 4 is the motor current and 5 the peak torque. Kept; compare the two at the panel.
+/// Erratum E046, name: printed "Peak Toque". Up to 16, P2.77 numbers what the panel shows as 3100h does, except that 4 is the motor current and 5 the peak torque. Kept; compare the two at the panel.
 #[doc(alias = "3100")]
 pub const PEAK_TORQUE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100, 0x04);
 
@@ -4552,7 +4552,7 @@ pub const PEAK_TORQUE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100, 0x04
 /// In 0.1 A.
 /// Manual: 6.3 T6-3 L1283.
 ///
-/// Erratum E047, name: printed "Motor Current", kept. As for E046.
+/// Erratum E047, name: printed "Motor Current". As for E046.
 #[doc(alias = "3100")]
 pub const MOTOR_CURRENT: Object<i32, Ro, Unmapped, Current> =
     Object::new(0x3100, 0x05).scale(1, 10);
@@ -4607,7 +4607,7 @@ pub const POSITION_DEVIATION: Object<i32, Ro, Unmapped, Raw> = Object::new(0x310
 /// In 0.1 kHz.
 /// Manual: 6.3 T6-3 L1288.
 ///
-/// Erratum E048, name: printed "Command Pulse Frequency", kept. The connector has no pulse input, and P2.77 skips this number: likely left from another drive of the series. Kept.
+/// Erratum E048, name: printed "Command Pulse Frequency". The connector has no pulse input, and P2.77 skips this number: likely left from another drive of the series. Kept.
 #[doc(alias = "3100")]
 pub const COMMAND_PULSE_FREQUENCY: Object<i32, Ro, Unmapped, Frequency> =
     Object::new(0x3100, 0x0A).scale(100, 1);
@@ -4624,7 +4624,7 @@ pub const FEEDBACK_CUMULATIVE_PULSE: Object<i32, Ro, Unmapped, Counts> = Object:
 /// In count.
 /// Manual: 6.3 T6-3 L1290.
 ///
-/// Erratum E049, name: printed "Cumulative Input Pulse", kept. As for E048.
+/// Erratum E049, name: printed "Cumulative Input Pulse". As for E048.
 #[doc(alias = "3100")]
 pub const CUMULATIVE_INPUT_PULSE: Object<i32, Ro, Unmapped, Counts> = Object::new(0x3100, 0x0C);
 
@@ -4661,7 +4661,7 @@ pub const DC_LINK_VOLTAGE_MIN: Object<i32, Ro, Unmapped, Voltage> = Object::new(
 /// In 0.01 V.
 /// Manual: 6.3 T6-3 L1295.
 ///
-/// Erratum E050, name: printed "VREF Input Voltage", kept. As for E048: the connector has no analog input.
+/// Erratum E050, name: printed "VREF Input Voltage". As for E048: the connector has no analog input.
 #[doc(alias = "3100")]
 pub const VREF_INPUT_VOLTAGE: Object<i32, Ro, Unmapped, Voltage> =
     Object::new(0x3100, 0x11).scale(1, 100);
@@ -4672,9 +4672,9 @@ pub const VREF_INPUT_VOLTAGE: Object<i32, Ro, Unmapped, Voltage> =
 /// Note: The row is shifted by one cell in the text extract: see E041.
 /// Manual: 6.3 T6-3 L1296.
 ///
-/// Erratum E041, unit: printed "0.01 V", kept. The cells of the row are shifted by one to the left in the text extract: the sub-index stands under the index and 0.01V under the name. Read like the row above it.
+/// Erratum E041, unit: printed "0.01 V". The cells of the row are shifted by one to the left in the text extract: the sub-index stands under the index and 0.01V under the name. Read like the row above it.
 ///
-/// Erratum E051, name: printed "TREF Input Voltage", kept. As for E050.
+/// Erratum E051, name: printed "TREF Input Voltage". As for E050.
 #[doc(alias = "3100")]
 pub const TREF_INPUT_VOLTAGE: Object<i32, Ro, Unmapped, Voltage> =
     Object::new(0x3100, 0x12).scale(1, 100);
@@ -4692,7 +4692,7 @@ pub const ALARM_RECORD_SELECT: Object<u8, Rw, Unmapped, Raw> =
 
 /// Number of Alarm Record, `3201:00`: UNSIGNED8, ro, not mapped.
 ///
-/// 14 to 14; default 14.
+/// Always 14.
 /// Manual: 6.3 T6-3 L1300.
 #[doc(alias = "3201")]
 pub const NUMBER_OF_ALARM_RECORD: Object<u8, Ro, Unmapped, Raw> =
@@ -4703,7 +4703,7 @@ pub const NUMBER_OF_ALARM_RECORD: Object<u8, Ro, Unmapped, Raw> =
 /// Default 0.
 /// Manual: 6.3 T6-3 L1301.
 ///
-/// Erratum E056, type: printed "i32", kept. 3202 has alarm codes of 8 bits. Table 5-1 has codes of 16 bits and numbers of 8; which of them this is, is not said. Kept.
+/// Erratum E056, type: printed "i32". 3202 has alarm codes of 8 bits. Table 5-1 has codes of 16 bits and numbers of 8; which of them this is, is not said. Kept.
 #[doc(alias = "3201")]
 pub const ALARM_CODE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x01);
 
@@ -4729,7 +4729,7 @@ pub const RESERVE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x03);
 /// Note: No unit is printed in the table.
 /// Manual: 6.3 T6-3 L1304, 6.3.3 L1357 L1359 L1361.
 ///
-/// Erratum E052, name: printed "Motor Running Time", kept. The note of 6.3.3 calls it the power-on time of the motor. Running and powered are not the same. Kept.
+/// Erratum E052, name: printed "Motor Running Time". The note of 6.3.3 calls it the power-on time of the motor. Running and powered are not the same. Kept.
 #[doc(alias = "3201")]
 pub const MOTOR_RUNNING_TIME: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x04);
 
@@ -4763,7 +4763,7 @@ pub const ALARM_RECORD_COMMAND_SPEED: Object<i32, Ro, Unmapped, Velocity> =
 /// Note: Printed as 1 %, without saying of what.
 /// Manual: 6.3 T6-3 L1308.
 ///
-/// Erratum E053, unit: printed "%", kept. 3100 has a unit of 0.01 for the same quantity, and neither says of what. Kept.
+/// Erratum E053, unit: printed "%". 3100 has a unit of 0.01 for the same quantity, and neither says of what. Kept.
 #[doc(alias = "3201")]
 pub const ALARM_RECORD_COMMAND_TORQUE: Object<i32, Ro, Unmapped, Ratio> =
     Object::new(0x3201, 0x08).scale(1, 100);
@@ -4774,7 +4774,7 @@ pub const ALARM_RECORD_COMMAND_TORQUE: Object<i32, Ro, Unmapped, Ratio> =
 /// Note: Printed as 1 %, without saying of what.
 /// Manual: 6.3 T6-3 L1309.
 ///
-/// Erratum E054, unit: printed "%", kept. 3100 has the motor current in tenths of an ampere. Kept; the two are read with two units.
+/// Erratum E054, unit: printed "%". 3100 has the motor current in tenths of an ampere. Kept; the two are read with two units.
 #[doc(alias = "3201")]
 pub const ALARM_RECORD_MOTOR_CURRENT: Object<i32, Ro, Unmapped, Ratio> =
     Object::new(0x3201, 0x09).scale(1, 100);
@@ -4785,7 +4785,7 @@ pub const ALARM_RECORD_MOTOR_CURRENT: Object<i32, Ro, Unmapped, Ratio> =
 /// Note: Printed as 1 %, without saying of what.
 /// Manual: 6.3 T6-3 L1310.
 ///
-/// Erratum E055, unit: printed "%", kept. As for E053.
+/// Erratum E055, unit: printed "%". As for E053.
 #[doc(alias = "3201")]
 pub const ALARM_RECORD_EFFECTIVE_TORQUE: Object<i32, Ro, Unmapped, Ratio> =
     Object::new(0x3201, 0x0A).scale(1, 100);
@@ -4818,7 +4818,7 @@ pub const ALARM_RECORD_COMMAND_POSITION: Object<i32, Ro, Unmapped, UserPosition>
 /// Note: The row is shifted by one cell in the text extract: see E042.
 /// Manual: 6.3 T6-3 L1314.
 ///
-/// Erratum E042, default: printed 0, kept. The cells of the row are shifted by one to the left in the text extract: 0 stands under the range and the default is empty. Read like the row above it.
+/// Erratum E042, default: printed 0. The cells of the row are shifted by one to the left in the text extract: 0 stands under the range and the default is empty. Read like the row above it.
 #[doc(alias = "3201")]
 pub const SEQUENCE_MODE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x0E);
 
@@ -4829,7 +4829,7 @@ pub const SEQUENCE_MODE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x
 /// 0 to 10; default 0.
 /// Manual: 6.3 T6-3 L1315.
 ///
-/// Erratum E057, default: printed 0, kept. Sub-index 0 is the highest sub-index elsewhere, which is 10 here; this one counts the alarms that are present. Kept: name and section say so.
+/// Erratum E057, default: printed 0. Sub-index 0 is the highest sub-index elsewhere, which is 10 here; this one counts the alarms that are present. Kept: name and section say so.
 #[doc(alias = "3202")]
 pub const THE_NUMBER_OF_ALARMS_THAT_CURRENTLY_EXIST: Object<u8, Ro, Unmapped, Raw> =
     Object::new(0x3202, 0x00).range(0, 10);
@@ -4840,7 +4840,7 @@ pub const THE_NUMBER_OF_ALARMS_THAT_CURRENTLY_EXIST: Object<u8, Ro, Unmapped, Ra
 /// Manual: 6.3 T6-3 L1316.
 /// The name is inferred: A space is lost; the rows below have it (L1317).
 ///
-/// Erratum E058, type: printed "u8", kept. Codes of table 5-1 have 16 bits and do not fit, in this and the nine rows below it; the numbers of the same table do. Kept: it must be the number.
+/// Erratum E058, type: printed "u8". Codes of table 5-1 have 16 bits and do not fit, in this and the nine rows below it; the numbers of the same table do. Kept: it must be the number.
 ///
 /// Erratum E059, name: printed "Alarm code1", used "Alarm code 1". A space is lost; the rows below have it (L1317).
 #[doc(alias = "3202")]
@@ -4924,7 +4924,7 @@ pub const EI_SIGNAL: Object<u8, Ro, Unmapped, Raw> = Object::new(0x4000, 0x00);
 /// 0 to 255; default 0.
 /// Manual: 6.3 T6-3 L1327, 6.3.4 L1367.
 ///
-/// Erratum E060, max: printed 255, kept. The drive has five hardware inputs, so that three bits have none. Kept; the order of the bits is not printed.
+/// Erratum E060, max: printed 255. The drive has five hardware inputs, so that three bits have none. Kept; the order of the bits is not printed.
 #[doc(alias = "4000")]
 pub const HARDWARE_EI_SIGNAL: Object<u8, Ro, Tx, Raw> = Object::new(0x4000, 0x01).range(0, 255);
 
@@ -4953,7 +4953,7 @@ pub const EOUT_SIGNAL: Object<u8, Ro, Unmapped, Raw> = Object::new(0x4001, 0x00)
 /// 0 to 255; default 0.
 /// Manual: 6.3 T6-3 L1330, 6.3.4 L1371.
 ///
-/// Erratum E061, max: printed 255, kept. The drive has three hardware outputs, so that five bits have none. Kept; the order of the bits is not printed.
+/// Erratum E061, max: printed 255. The drive has three hardware outputs, so that five bits have none. Kept; the order of the bits is not printed.
 #[doc(alias = "4001")]
 pub const HARDWARE_EOUT_SIGNAL: Object<u8, Ro, Tx, Raw> = Object::new(0x4001, 0x01).range(0, 255);
 
@@ -4993,11 +4993,11 @@ pub const STATUS_WORD: Object<bits::Statusword, Ro, Tx, Raw> = Object::new(0x604
 
 /// Quickstop Option Code, `605A:00`: INTEGER16, rw, not mapped.
 ///
-/// Only 0, 1, 5; default 0.
+/// Only 0 (Disable drive function), 1 (Slow down ramp), 5 (Slow down ramp and stay); default 0.
 /// Note: Printed as Quick stop Option Code in 4.2.
 /// Manual: 6.2 T6-2 L1211.
 ///
-/// Erratum E034, name: printed "Quickstop Option Code", kept. 4.2 has Quick stop Option Code. Kept; the two differ by a space and a capital.
+/// Erratum E034, name: printed "Quickstop Option Code". 4.2 has Quick stop Option Code. Kept; the two differ by a space and a capital.
 #[doc(alias = "605A")]
 pub const QUICKSTOP_OPTION_CODE: Object<enums::QuickStopOption, Rw, Unmapped, Raw> =
     Object::new(0x605A, 0x00).allow(&[0, 1, 5]);
@@ -5005,7 +5005,7 @@ pub const QUICKSTOP_OPTION_CODE: Object<enums::QuickStopOption, Rw, Unmapped, Ra
 /// Modes of Operation, `6060:00`: INTEGER8, rw, RxPDO and TxPDO.
 ///
 /// The mode that is asked for.
-/// Only 0, 1, 3, 4, 6, 8, 9, 10; default 0.
+/// Only 0 (Unset mode), 1 (Profile position mode), 3 (Profile velocity mode), 4 (Profile torque mode), 6 (Homing mode), 8 (Cycle synchronized position mode), 9 (Cycle synchronized velocity mode), 10 (Cycle synchronized torque mode); default 0.
 /// Manual: 6.2 T6-2 L1212.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "6060")]
@@ -5015,7 +5015,7 @@ pub const MODES_OF_OPERATION: Object<enums::ModeOfOperation, Rw, RxTx, Raw> =
 /// Modes of Operation Display, `6061:00`: INTEGER8, ro, TxPDO.
 ///
 /// The mode that is active.
-/// Default 0.
+/// Default 0 (Unset mode).
 /// Manual: 6.2 T6-2 L1213.
 #[doc(alias = "6061")]
 pub const MODES_OF_OPERATION_DISPLAY: Object<enums::ModeOfOperation, Ro, Tx, Raw> =
@@ -5044,18 +5044,18 @@ pub const POSITION_ACTUAL_VALUE: Object<i32, Ro, Tx, UserPosition> = Object::new
 
 /// Maximal Following Error, `6065:00`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
-/// 100 to 104857600; default 1966080 (001E0000h).
+/// 100 to 104857600; default 1966080.
 /// Note: The text extract splits the upper limit into 10485760 and 0. 4.2 and 4.3 print another unit, range and default: see E025 to E028 before you set it.
 /// Manual: 6.2 T6-2 L1217.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
 /// Erratum E025, unit: printed "rev", dropped. 4.2 and 4.3 have tenths of a revolution. A limit of at least 100 whole revolutions, 1966080 by default, is no following error: 1966080 is 15 times 2^17 and 104857600 is 100 times 2^20, so the numbers of 6.2 look like encoder counts. Which holds is not said. Dropped: a limit in a unit that is wrong by a factor of a million would be none; the numbers stay raw.
 ///
-/// Erratum E026, min: printed 100, kept. 4.2 and 4.3 have 0.1 to 100.0 revolutions, 1 to 1000 counts of a tenth. As for E025. Kept.
+/// Erratum E026, min: printed 100. 4.2 and 4.3 have 0.1 to 100.0 revolutions, 1 to 1000 counts of a tenth. As for E025. Kept.
 ///
-/// Erratum E027, max: printed 104857600, kept. As for E026. The text extract has a space before the last 0; without it the number is 100 times 2^20, which fits the 100.0 of 4.2. Kept.
+/// Erratum E027, max: printed 104857600. As for E026. The text extract has a space before the last 0; without it the number is 100 times 2^20, which fits the 100.0 of 4.2. Kept.
 ///
-/// Erratum E028, default: printed 1966080, kept. 4.2 and 4.3 have 15: 1.5 revolutions as a count of their unit, 15.0 if the default is printed in revolutions as for E007. 1966080 is 15 times 2^17. Kept.
+/// Erratum E028, default: printed 1966080. 4.2 and 4.3 have 15: 1.5 revolutions as a count of their unit, 15.0 if the default is printed in revolutions as for E007. 1966080 is 15 times 2^17. Kept.
 #[doc(alias = "6065")]
 pub const MAXIMAL_FOLLOWING_ERROR: Object<u32, Rw, RxTx, Raw> =
     Object::new(0x6065, 0x00).range(100, 104_857_600);
@@ -5071,22 +5071,22 @@ pub const POSITION_WINDOW: Object<u32, Rw, RxTx, UserPosition> =
 
 /// Velocity Demand Value, `606B:00`: INTEGER32, ro, TxPDO.
 ///
-/// In 0.1 rpm; -60000 to 60000; default 0.
+/// In 0.1 rpm; -60000 to 60000 (-6000 to 6000 rpm); default 0.
 /// Note: The range is one cell for 606B and 606C, printed in two parts (L1219, L1220); 4.5 and 4.6 print none (L628, L676). The unit can be switched by P4.15 (L151).
 /// Manual: 6.2 T6-2 L1219 L1220.
 ///
-/// Erratum E035, unit: printed "0.1 rpm", kept. As for E013. Kept.
+/// Erratum E035, unit: printed "0.1 rpm". As for E013. Kept.
 #[doc(alias = "606B")]
 pub const VELOCITY_DEMAND_VALUE: Object<i32, Ro, Tx, Velocity> =
     Object::new(0x606B, 0x00).range(-60_000, 60_000).scale(1, 10);
 
 /// Velocity Actual Value, `606C:00`: INTEGER32, ro, TxPDO.
 ///
-/// In 0.1 rpm; -60000 to 60000; default 0.
+/// In 0.1 rpm; -60000 to 60000 (-6000 to 6000 rpm); default 0.
 /// Note: The range is one cell for 606B and 606C, printed in two parts (L1219, L1220); 4.5 and 4.6 print none (L629, L677). The unit can be switched by P4.15 (L151).
 /// Manual: 6.2 T6-2 L1219 L1220.
 ///
-/// Erratum E013, unit: printed "0.1 rpm", kept. P4.15 calls the format that it has by default r/min, the tables 0.1 r/min. Kept; which one the drive counts in should be tried at low speed.
+/// Erratum E013, unit: printed "0.1 rpm". P4.15 calls the format that it has by default r/min, the tables 0.1 r/min. Kept; which one the drive counts in should be tried at low speed.
 #[doc(alias = "606C")]
 pub const VELOCITY_ACTUAL_VALUE: Object<i32, Ro, Tx, Velocity> =
     Object::new(0x606C, 0x00).range(-60_000, 60_000).scale(1, 10);
@@ -5097,7 +5097,7 @@ pub const VELOCITY_ACTUAL_VALUE: Object<i32, Ro, Tx, Velocity> =
 /// Manual: 6.2 T6-2 L1221.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E069, unit: printed "rpm", kept. Whole r/min, where the speed that it is compared with has tenths; CiA 402 has one unit for both. Every table prints it so, and 6000 fits. Kept.
+/// Erratum E069, unit: printed "rpm". Whole r/min, where the speed that it is compared with has tenths; CiA 402 has one unit for both. Every table prints it so, and 6000 fits. Kept.
 #[doc(alias = "606D")]
 pub const VELOCITY_WINDOW: Object<u16, Rw, RxTx, Velocity> =
     Object::new(0x606D, 0x00).range(10, 6000);
@@ -5108,14 +5108,14 @@ pub const VELOCITY_WINDOW: Object<u16, Rw, RxTx, Velocity> =
 /// Manual: 6.2 T6-2 L1222.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E070, unit: printed "rpm", kept. As for E069.
+/// Erratum E070, unit: printed "rpm". As for E069.
 #[doc(alias = "606F")]
 pub const VELOCITY_THRESHOLD: Object<u16, Rw, RxTx, Velocity> =
     Object::new(0x606F, 0x00).range(10, 6000);
 
 /// Target Torque, `6071:00`: INTEGER16, rw, RxPDO and TxPDO.
 ///
-/// In 0.1 % rated torque; -3000 to 3000; default 0.
+/// In 0.1 % rated torque; -3000 to 3000 (-300 to 300 % rated torque); default 0.
 /// Note: The range is printed in percent, the unit is one part in a thousand: 300.0 % is 3000. The steps of 4.7 and 4.8 say that the whole is rated torque.
 /// Manual: 6.2 T6-2 L1223, 4.7 L712 L722, 4.8 L750 L760.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
@@ -5125,7 +5125,7 @@ pub const TARGET_TORQUE: Object<i16, Rw, RxTx, TorqueRatio> =
 
 /// Torque Demand Value, `6074:00`: INTEGER16, ro, TxPDO.
 ///
-/// In 0.1 % rated torque; -3000 to 3000; default 0.
+/// In 0.1 % rated torque; -3000 to 3000 (-300 to 300 % rated torque); default 0.
 /// Note: The range is one cell for 6071, 6074, 6077 and 6078; 4.7 and 4.8 print it for 6074 itself.
 /// Manual: 6.2 T6-2 L1223 L1224, 4.7 L723, 4.8 L761.
 /// The unit is inferred: 1‰ is printed; that the whole is rated torque is the definition of CiA 402.
@@ -5135,7 +5135,7 @@ pub const TORQUE_DEMAND_VALUE: Object<i16, Ro, Tx, TorqueRatio> =
 
 /// Torque Actual Value, `6077:00`: INTEGER16, ro, TxPDO.
 ///
-/// In 0.1 % rated torque; -3000 to 3000; default 0.
+/// In 0.1 % rated torque; -3000 to 3000 (-300 to 300 % rated torque); default 0.
 /// Note: The range is one cell for 6071, 6074, 6077 and 6078.
 /// Manual: 6.2 T6-2 L1223 L1225.
 /// The unit is inferred: 1‰ is printed; that the whole is rated torque is the definition of CiA 402.
@@ -5145,7 +5145,7 @@ pub const TORQUE_ACTUAL_VALUE: Object<i16, Ro, Tx, TorqueRatio> =
 
 /// Current Actual Value, `6078:00`: INTEGER16, ro, TxPDO.
 ///
-/// In 0.1 % rated current; -3000 to 3000; default 0.
+/// In 0.1 % rated current; -3000 to 3000 (-300 to 300 % rated current); default 0.
 /// Note: The range is one cell for 6071, 6074, 6077 and 6078; 4.7 prints it for 6078 itself. The manual does not say of what current it is a share.
 /// Manual: 6.2 T6-2 L1223 L1226, 4.7 L724, 4.8 L762.
 /// The unit is inferred: 1‰ is printed; that the whole is rated current is the definition of CiA 402.
@@ -5168,9 +5168,9 @@ pub const TARGET_POSITION: Object<i32, Rw, RxTx, UserPosition> =
 /// Manual: 6.2 T6-2 L1228.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E029, min: printed 0, kept. The object is signed, and CiA 402 lets the offset point both ways; a lost sign or a real limit would look the same. Kept.
+/// Erratum E029, min: printed 0. The object is signed, and CiA 402 lets the offset point both ways; a lost sign or a real limit would look the same. Kept.
 ///
-/// Erratum E030, default: printed 1000, kept. An offset that is not 0 as delivered is unusual: it moves the zero of every homing. Both places print it. Kept.
+/// Erratum E030, default: printed 1000. An offset that is not 0 as delivered is unusual: it moves the zero of every homing. Both places print it. Kept.
 #[doc(alias = "607C")]
 pub const HOME_OFFSET: Object<i32, Rw, RxTx, UserPosition> =
     Object::new(0x607C, 0x00).range(0, 2_000_000_000);
@@ -5179,7 +5179,7 @@ pub const HOME_OFFSET: Object<i32, Rw, RxTx, UserPosition> =
 
 /// Software Position Limit, `607D:00`: UNSIGNED8, ro, not mapped.
 ///
-/// 2 to 2; default 2.
+/// Always 2.
 /// Manual: 6.2 T6-2 L1229.
 #[doc(alias = "607D")]
 pub const SOFTWARE_POSITION_LIMIT: Object<u8, Ro, Unmapped, Raw> =
@@ -5205,42 +5205,42 @@ pub const MIN_POSITION_LIMIT: Object<i32, Rw, RxTx, UserPosition> =
 /// Manual: 6.2 T6-2 L1230 L1231.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E118, min: printed -2000000000, kept. The range of 4.2 is one cell for both limits and has lost a zero: as for E001, which corrects the row that shows it. Kept.
+/// Erratum E118, min: printed -2000000000. The range of 4.2 is one cell for both limits and has lost a zero: as for E001, which corrects the row that shows it. Kept.
 #[doc(alias = "607D")]
 pub const MAX_POSITION_LIMIT: Object<i32, Rw, RxTx, UserPosition> =
     Object::new(0x607D, 0x02).range(-2_000_000_000, 2_000_000_000);
 
 /// Maximal Profile Velocity, `607F:00`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
-/// In 0.1 rpm; to 60000; default 30000.
+/// In 0.1 rpm; to 60000 (to 6000 rpm); default 30000 (3000 rpm).
 /// Note: The range is printed as one value, the upper limit. Range and default are printed in r/min. The unit can be switched by P4.15 (L151).
 /// Manual: 6.2 T6-2 L1234.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E031, max: printed 60000, kept. 4.5 prints 0.01\~6000.0. Its lower limit is a tenth of one count of the unit, which the object cannot hold; 0.1, as for 6099, is likely meant. Kept without a lower limit.
+/// Erratum E031, max: printed 60000. 4.5 prints 0.01\~6000.0. Its lower limit is a tenth of one count of the unit, which the object cannot hold; 0.1, as for 6099, is likely meant. Kept without a lower limit.
 ///
-/// Erratum E036, unit: printed "0.1 rpm", kept. As for E013. Kept.
+/// Erratum E036, unit: printed "0.1 rpm". As for E013. Kept.
 #[doc(alias = "607F")]
 pub const MAXIMAL_PROFILE_VELOCITY: Object<u32, Rw, RxTx, Velocity> =
     Object::new(0x607F, 0x00).range(i64::MIN, 60_000).scale(1, 10);
 
 /// Maximal Motor Speed, `6080:00`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
-/// In 0.1 rpm; to 60000; default 30000.
+/// In 0.1 rpm; to 60000 (to 6000 rpm); default 30000 (3000 rpm).
 /// Note: The range is printed as one value, the upper limit. Range and default are printed in r/min.
 /// Manual: 6.2 T6-2 L1235.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E032, max: printed 60000, kept. As for E031; here 4.5 and 4.6 print 0.01\~6000.0.
+/// Erratum E032, max: printed 60000. As for E031; here 4.5 and 4.6 print 0.01\~6000.0.
 ///
-/// Erratum E033, name: printed "Maximal Motor Speed", kept. 4.5 has Maximum Motor Speed. Kept, the one that four tables print.
+/// Erratum E033, name: printed "Maximal Motor Speed". 4.5 has Maximum Motor Speed. Kept, the one that four tables print.
 #[doc(alias = "6080")]
 pub const MAXIMAL_MOTOR_SPEED: Object<u32, Rw, RxTx, Velocity> =
     Object::new(0x6080, 0x00).range(i64::MIN, 60_000).scale(1, 10);
 
 /// Profile Velocity, `6081:00`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
-/// In 0.1 rpm; 0 to 60000; default 0.
+/// In 0.1 rpm; 0 to 60000 (0 to 6000 rpm); default 0.
 /// Note: The unit can be switched by P4.15 (L151).
 /// Manual: 6.2 T6-2 L1236.
 /// Manual, the minimum: 6.2 T6-2 L1236, 4.2 L424.
@@ -5249,7 +5249,7 @@ pub const MAXIMAL_MOTOR_SPEED: Object<u32, Rw, RxTx, Velocity> =
 ///
 /// Erratum E002, min: printed -60000, used 0. The row is of type u32: a profile velocity has no sign. The range is the one of 60FF, which is signed.
 ///
-/// Erratum E014, unit: printed "0.1 rpm", kept. As for E013; the steps of 4.2 say 0.1 r/min as well (L397). Kept.
+/// Erratum E014, unit: printed "0.1 rpm". As for E013; the steps of 4.2 say 0.1 r/min as well (L397). Kept.
 #[doc(alias = "6081")]
 pub const PROFILE_VELOCITY: Object<u32, Rw, RxTx, Velocity> =
     Object::new(0x6081, 0x00).range(0, 60_000).scale(1, 10);
@@ -5278,7 +5278,7 @@ pub const PROFILE_DECELERATION: Object<u32, Rw, RxTx, Time> =
 
 /// Motion Profile Type, `6086:00`: INTEGER16, rw, not mapped.
 ///
-/// 0 to 0; default 0.
+/// Always 0.
 /// Manual: 6.2 T6-2 L1239.
 #[doc(alias = "6086")]
 pub const MOTION_PROFILE_TYPE: Object<i16, Rw, Unmapped, Raw> =
@@ -5288,10 +5288,10 @@ pub const MOTION_PROFILE_TYPE: Object<i16, Rw, Unmapped, Raw> =
 
 /// Position Factor, `6093:00`: UNSIGNED8, ro, not mapped.
 ///
-/// 2 to 2; default 2.
+/// Always 2.
 /// Manual: 6.2 T6-2 L1240.
 ///
-/// Erratum E037, name: printed "Position Factor", kept. CiA 402 had the index in an early version and has 6091h and 6092h for it today; 6502h and the rest follow the present one. Kept: the drive has what it has.
+/// Erratum E037, name: printed "Position Factor". CiA 402 had the index in an early version and has 6091h and 6092h for it today; 6502h and the rest follow the present one. Kept: the drive has what it has.
 #[doc(alias = "6093")]
 pub const POSITION_FACTOR: Object<u8, Ro, Unmapped, Raw> = Object::new(0x6093, 0x00).range(2, 2);
 
@@ -5319,9 +5319,9 @@ pub const POSITION_FACTOR_DIVISOR: Object<u32, Rw, RxTx, Raw> =
 /// Manual: 6.2 T6-2 L1243.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E004, min: printed 0, kept. The steps of 4.4 allow 1 to 37. 0 is the default and means that no method is set: starting with it is an error (L552). Kept.
+/// Erratum E004, min: printed 0. The steps of 4.4 allow 1 to 37. 0 is the default and means that no method is set: starting with it is an error (L552). Kept.
 ///
-/// Erratum E012, max: printed 37, kept. Methods 15, 16 and 31 to 34 lie in the range and are reserved in the table of 4.4, whose introduction counts 37 methods nevertheless. Kept; a master should not write them.
+/// Erratum E012, max: printed 37. Methods 15, 16 and 31 to 34 lie in the range and are reserved in the table of 4.4, whose introduction counts 37 methods nevertheless. Kept; a master should not write them.
 #[doc(alias = "6098")]
 pub const HOMING_METHOD: Object<i8, Rw, RxTx, Raw> = Object::new(0x6098, 0x00).range(0, 37);
 
@@ -5329,31 +5329,31 @@ pub const HOMING_METHOD: Object<i8, Rw, RxTx, Raw> = Object::new(0x6098, 0x00).r
 
 /// Homing Speeds, `6099:00`: UNSIGNED8, ro, not mapped.
 ///
-/// 2 to 2; default 2.
+/// Always 2.
 /// Manual: 6.2 T6-2 L1244.
 #[doc(alias = "6099")]
 pub const HOMING_SPEEDS: Object<u8, Ro, Unmapped, Raw> = Object::new(0x6099, 0x00).range(2, 2);
 
 /// Homing Speed for Switch Search, `6099:01`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
-/// In 0.1 rpm; 1 to 60000; default 500.
+/// In 0.1 rpm; 1 to 60000 (0.1 to 6000 rpm); default 500 (50 rpm).
 /// Note: The range is printed in r/min, the default without a decimal point: see E007.
 /// Manual: 6.2 T6-2 L1245.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E007, default: printed 500, kept. The range is printed with a decimal point in r/min, the default without one. Read as counts of 0.1 r/min, the unit of the row: 50.0 r/min. But 607F and 6080, in the same unit, print theirs in r/min (3000.0); read that way it is 500.0 r/min, ten times as fast. Kept, the slower of the two; read it from the drive.
+/// Erratum E007, default: printed 500. The range is printed with a decimal point in r/min, the default without one. Read as counts of 0.1 r/min, the unit of the row: 50.0 r/min. But 607F and 6080, in the same unit, print theirs in r/min (3000.0); read that way it is 500.0 r/min, ten times as fast. Kept, the slower of the two; read it from the drive.
 #[doc(alias = "6099")]
 pub const HOMING_SPEED_FOR_SWITCH_SEARCH: Object<u32, Rw, RxTx, Velocity> =
     Object::new(0x6099, 0x01).range(1, 60_000).scale(1, 10);
 
 /// Homing Speed for Zero Search, `6099:02`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
-/// In 0.1 rpm; 1 to 60000; default 50.
+/// In 0.1 rpm; 1 to 60000 (0.1 to 6000 rpm); default 50 (5 rpm).
 /// Note: The range is printed in r/min, the default without a decimal point: see E008.
 /// Manual: 6.2 T6-2 L1246.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E008, default: printed 50, kept. As for E007: 5.0 r/min, or 50.0 r/min. Kept.
+/// Erratum E008, default: printed 50. As for E007: 5.0 r/min, or 50.0 r/min. Kept.
 #[doc(alias = "6099")]
 pub const HOMING_SPEED_FOR_ZERO_SEARCH: Object<u32, Rw, RxTx, Velocity> =
     Object::new(0x6099, 0x02).range(1, 60_000).scale(1, 10);
@@ -5421,26 +5421,26 @@ pub const TOUCH_PROBE_POS2_NEG_VALUE: Object<i32, Ro, Tx, UserPosition> =
 
 /// Forward torque limit, `60E0:00`: UNSIGNED16, rw, RxPDO and TxPDO.
 ///
-/// In 0.1 % rated torque; 0 to 4500; default 3000.
+/// In 0.1 % rated torque; 0 to 4500 (0 to 450 % rated torque); default 3000 (300 % rated torque).
 /// Note: The range is printed in percent, the unit is one part in a thousand: 450.0 % is 4500. The default is printed without the percent sign: see E038.
 /// Manual: 6.2 T6-2 L1254.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 /// The unit is inferred: 1‰ is printed; that the whole is rated torque is the definition of CiA 402.
 ///
-/// Erratum E038, default: printed 3000, kept. Printed as 300.0, the range beside it in percent with a sign. Read in percent, as the range and the decimal point suggest, it is the 300.0 % of 6071. As a count of the unit it would be 300, which is 30.0 %. Kept as 3000. The range itself goes to 450.0 %, past that of 6071.
+/// Erratum E038, default: printed 3000. Printed as 300.0, the range beside it in percent with a sign. Read in percent, as the range and the decimal point suggest, it is the 300.0 % of 6071. As a count of the unit it would be 300, which is 30.0 %. Kept as 3000. The range itself goes to 450.0 %, past that of 6071.
 #[doc(alias = "60E0")]
 pub const FORWARD_TORQUE_LIMIT: Object<u16, Rw, RxTx, TorqueRatio> =
     Object::new(0x60E0, 0x00).range(0, 4500).scale(1, 1000);
 
 /// Invert torque limit, `60E1:00`: UNSIGNED16, rw, RxPDO and TxPDO.
 ///
-/// In 0.1 % rated torque; 0 to 4500; default 3000.
+/// In 0.1 % rated torque; 0 to 4500 (0 to 450 % rated torque); default 3000 (300 % rated torque).
 /// Note: The range is printed in percent, the unit is one part in a thousand: 450.0 % is 4500. The default is printed without the percent sign: see E039.
 /// Manual: 6.2 T6-2 L1255.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 /// The unit is inferred: 1‰ is printed; that the whole is rated torque is the definition of CiA 402.
 ///
-/// Erratum E039, default: printed 3000, kept. As for E038.
+/// Erratum E039, default: printed 3000. As for E038.
 #[doc(alias = "60E1")]
 pub const INVERT_TORQUE_LIMIT: Object<u16, Rw, RxTx, TorqueRatio> =
     Object::new(0x60E1, 0x00).range(0, 4500).scale(1, 1000);
@@ -5462,12 +5462,12 @@ pub const POSITION_DEMAND_PULSE_VALUE: Object<i32, Ro, Tx, Counts> = Object::new
 
 /// Target Velocity, `60FF:00`: INTEGER32, rw, RxPDO and TxPDO.
 ///
-/// In 0.1 rpm; -60000 to 60000; default 0.
+/// In 0.1 rpm; -60000 to 60000 (-6000 to 6000 rpm); default 0.
 /// Note: The unit can be switched by P4.15 (L151).
 /// Manual: 6.2 T6-2 L1258.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E015, unit: printed "0.1 rpm", kept. As for E013. Kept.
+/// Erratum E015, unit: printed "0.1 rpm". As for E013. Kept.
 #[doc(alias = "60FF")]
 pub const TARGET_VELOCITY: Object<i32, Rw, RxTx, Velocity> =
     Object::new(0x60FF, 0x00).range(-60_000, 60_000).scale(1, 10);
@@ -5475,10 +5475,10 @@ pub const TARGET_VELOCITY: Object<i32, Rw, RxTx, Velocity> =
 /// Supported Drive Modes, `6502:00`: UNSIGNED32, ro, TxPDO.
 ///
 /// Bit n - 1 stands for mode n.
-/// 109 to 109; default 109.
+/// Always 0000006Dh.
 /// Manual: 6.2 T6-2 L1259.
 ///
-/// Erratum E003, default: printed 109, kept. 6Dh says PP, PV, PT, HM and IP. The manual lists and describes PP, PV, PT, HM, CSP, CSV and CST, which would be 3ADh, and never IP. Kept, because a drive may well report what is printed.
+/// Erratum E003, default: printed 109. 6Dh says PP, PV, PT, HM and IP. The manual lists and describes PP, PV, PT, HM, CSP, CSV and CST, which would be 3ADh, and never IP. Kept, because a drive may well report what is printed.
 #[doc(alias = "6502")]
 pub const SUPPORTED_DRIVE_MODES: Object<bits::SupportedDriveModes, Ro, Tx, Raw> =
-    Object::new(0x6502, 0x00).range(109, 109);
+    Object::new(0x6502, 0x00).range(0x0000_006D, 0x0000_006D);

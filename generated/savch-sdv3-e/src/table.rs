@@ -26,13 +26,13 @@ pub static UNITS: [UnitDesc<'static>; 14] = [
 
 /// Entries of the dictionary, by address.
 pub static OBJECTS: [ObjectDesc<'static>; 639] = [
-    ObjectDesc::new(Address::new(0x1000, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::Unmapped, "Device type").default_int(402),
+    ObjectDesc::new(Address::new(0x1000, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::Unmapped, "Device type").default_int(0x0000_0192),
     ObjectDesc::new(Address::new(0x1001, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::Unmapped, "Error register").default_int(0).bits(4),
     ObjectDesc::new(Address::new(0x1008, 0x00), DataType::VISIBLE_STRING, Access::Ro, Mapping::Unmapped, "Device name"),
     ObjectDesc::new(Address::new(0x1009, 0x00), DataType::VISIBLE_STRING, Access::Ro, Mapping::Unmapped, "Hardware version"),
     ObjectDesc::new(Address::new(0x100A, 0x00), DataType::VISIBLE_STRING, Access::Ro, Mapping::Unmapped, "Software version"),
     ObjectDesc::new(Address::new(0x1018, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::Unmapped, "Identity").default_int(4),
-    ObjectDesc::new(Address::new(0x1018, 0x01), DataType::UNSIGNED32, Access::Ro, Mapping::Unmapped, "Vendor ID").default_int(2022),
+    ObjectDesc::new(Address::new(0x1018, 0x01), DataType::UNSIGNED32, Access::Ro, Mapping::Unmapped, "Vendor ID").default_int(0x0000_07E6),
     ObjectDesc::new(Address::new(0x1018, 0x02), DataType::UNSIGNED32, Access::Ro, Mapping::Unmapped, "Product code").default_int(0x5344_5633),
     ObjectDesc::new(Address::new(0x1018, 0x03), DataType::UNSIGNED32, Access::Ro, Mapping::Unmapped, "Revision").default_int(0x0010_0010),
     ObjectDesc::new(Address::new(0x1018, 0x04), DataType::UNSIGNED32, Access::Ro, Mapping::Unmapped, "Serial number").default_int(0),
@@ -130,15 +130,15 @@ pub static OBJECTS: [ObjectDesc<'static>; 639] = [
     ObjectDesc::new(Address::new(0x1C00, 0x03), DataType::UNSIGNED8, Access::Ro, Mapping::Unmapped, "Sync manager 2").default_int(3),
     ObjectDesc::new(Address::new(0x1C00, 0x04), DataType::UNSIGNED8, Access::Ro, Mapping::Unmapped, "Sync manager 3").default_int(4),
     ObjectDesc::new(Address::new(0x1C12, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::Unmapped, "Sync Manager RxPDO Assign").range(0, 4).default_int(1),
-    ObjectDesc::new(Address::new(0x1C12, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Index of Assigned RxPDO1").range(5632, 5635).default_int(5632),
-    ObjectDesc::new(Address::new(0x1C12, 0x02), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Index of Assigned RxPDO2").range(5632, 5635).default_int(5633),
-    ObjectDesc::new(Address::new(0x1C12, 0x03), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Index of Assigned RxPDO3").range(5632, 5635).default_int(5634),
-    ObjectDesc::new(Address::new(0x1C12, 0x04), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Index of Assigned RxPDO4").range(5632, 5635).default_int(5635),
+    ObjectDesc::new(Address::new(0x1C12, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Index of Assigned RxPDO1").range(0x1600, 0x1603).default_int(0x1600),
+    ObjectDesc::new(Address::new(0x1C12, 0x02), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Index of Assigned RxPDO2").range(0x1600, 0x1603).default_int(0x1601),
+    ObjectDesc::new(Address::new(0x1C12, 0x03), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Index of Assigned RxPDO3").range(0x1600, 0x1603).default_int(0x1602),
+    ObjectDesc::new(Address::new(0x1C12, 0x04), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Index of Assigned RxPDO4").range(0x1600, 0x1603).default_int(0x1603),
     ObjectDesc::new(Address::new(0x1C13, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::Unmapped, "Sync Manager TxPDO Assign").range(0, 4).default_int(1),
-    ObjectDesc::new(Address::new(0x1C13, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Index of Assigned TxPDO1").range(6656, 6659).default_int(6656),
-    ObjectDesc::new(Address::new(0x1C13, 0x02), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Index of Assigned TxPDO2").range(6656, 6659).default_int(6657),
-    ObjectDesc::new(Address::new(0x1C13, 0x03), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Index of Assigned TxPDO3").range(6656, 6659).default_int(6658),
-    ObjectDesc::new(Address::new(0x1C13, 0x04), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Index of Assigned TxPDO4").range(6656, 6659).default_int(6659),
+    ObjectDesc::new(Address::new(0x1C13, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Index of Assigned TxPDO1").range(0x1A00, 0x1A03).default_int(0x1A00),
+    ObjectDesc::new(Address::new(0x1C13, 0x02), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Index of Assigned TxPDO2").range(0x1A00, 0x1A03).default_int(0x1A01),
+    ObjectDesc::new(Address::new(0x1C13, 0x03), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Index of Assigned TxPDO3").range(0x1A00, 0x1A03).default_int(0x1A02),
+    ObjectDesc::new(Address::new(0x1C13, 0x04), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Index of Assigned TxPDO4").range(0x1A00, 0x1A03).default_int(0x1A03),
     ObjectDesc::new(Address::new(0x1C32, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::Unmapped, "SM output parameter").default_int(32),
     ObjectDesc::new(Address::new(0x1C32, 0x01), DataType::UNSIGNED16, Access::Ro, Mapping::Unmapped, "Synchronization Type").default_int(2),
     ObjectDesc::new(Address::new(0x1C32, 0x02), DataType::UNSIGNED32, Access::Rw, Mapping::Unmapped, "Cycle Time").range(250_000, 10_000_000).default_int(1_000_000).unit(0),
@@ -624,7 +624,7 @@ pub static OBJECTS: [ObjectDesc<'static>; 639] = [
     ObjectDesc::new(Address::new(0x6062, 0x00), DataType::INTEGER32, Access::Ro, Mapping::Tx, "Position Demand Value").default_int(0).unit(3),
     ObjectDesc::new(Address::new(0x6063, 0x00), DataType::INTEGER32, Access::Ro, Mapping::Tx, "Position Actual Pulse Value").default_int(0).unit(5),
     ObjectDesc::new(Address::new(0x6064, 0x00), DataType::INTEGER32, Access::Ro, Mapping::Tx, "Position Actual Value").default_int(0).unit(3),
-    ObjectDesc::new(Address::new(0x6065, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::RxTx, "Maximal Following Error").range(100, 104_857_600).default_int(0x001E_0000),
+    ObjectDesc::new(Address::new(0x6065, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::RxTx, "Maximal Following Error").range(100, 104_857_600).default_int(1_966_080),
     ObjectDesc::new(Address::new(0x6067, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::RxTx, "Position Window").range(0, 200_000).default_int(100).unit(3),
     ObjectDesc::new(Address::new(0x606B, 0x00), DataType::INTEGER32, Access::Ro, Mapping::Tx, "Velocity Demand Value").range(-60_000, 60_000).default_int(0).unit(10),
     ObjectDesc::new(Address::new(0x606C, 0x00), DataType::INTEGER32, Access::Ro, Mapping::Tx, "Velocity Actual Value").range(-60_000, 60_000).default_int(0).unit(10),
@@ -664,7 +664,7 @@ pub static OBJECTS: [ObjectDesc<'static>; 639] = [
     ObjectDesc::new(Address::new(0x60F4, 0x00), DataType::INTEGER32, Access::Ro, Mapping::Tx, "Following Error Actual Value").default_int(0).unit(3),
     ObjectDesc::new(Address::new(0x60FC, 0x00), DataType::INTEGER32, Access::Ro, Mapping::Tx, "Position Demand Pulse Value").default_int(0).unit(5),
     ObjectDesc::new(Address::new(0x60FF, 0x00), DataType::INTEGER32, Access::Rw, Mapping::RxTx, "Target Velocity").range(-60_000, 60_000).default_int(0).unit(10),
-    ObjectDesc::new(Address::new(0x6502, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::Tx, "Supported Drive Modes").range(109, 109).default_int(109).bits(5),
+    ObjectDesc::new(Address::new(0x6502, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::Tx, "Supported Drive Modes").range(0x0000_006D, 0x0000_006D).default_int(0x0000_006D).bits(5),
 ];
 
 /// Entries that take listed values only, by address.
@@ -799,19 +799,21 @@ pub static PDOS: [PdoDesc<'static>; 6] = [
 
 /// The whole drive.
 pub static MODEL: DriveModel<'static> = DriveModel::new(
-        Identity::new("sdv3-e", "SAVCH", "SDV3-E")
-            .with_vendor_id(0x000007E6)
-            .with_product_code(0x53445633)
-            .with_revision(0x00100010),
-    )
-    .with_objects(&OBJECTS)
-    .with_units(&UNITS)
-    .with_allowed(&ALLOWED)
-    .with_texts(&TEXTS)
-    .with_enums(&ENUMS)
-    .with_bit_fields(&BIT_FIELDS)
-    .with_pdos(&PDOS)
-    .with_alarms(&ALARMS);
+    Identity::new("sdv3-e", "SAVCH", "SDV3-E")
+        .with_vendor_id(0x0000_07E6)
+        .with_product_code(0x5344_5633)
+        .with_revision(0x0010_0010),
+)
+.with_objects(&OBJECTS)
+.with_units(&UNITS)
+.with_allowed(&ALLOWED)
+.with_texts(&TEXTS)
+.with_enums(&ENUMS)
+.with_bit_fields(&BIT_FIELDS)
+.with_pdos(&PDOS)
+.with_alarms(&ALARMS)
+.with_homing(&super::homing::HOMING);
+
 #[cfg(test)]
 mod tests {
     #[test]

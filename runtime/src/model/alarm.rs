@@ -1,5 +1,7 @@
 //! Faults and warnings.
 
+use super::detection::{EsmAfter, EsmState, Led, SyncMode};
+
 /// How an alarm is cleared.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -99,7 +101,7 @@ pub fn alarms_by_code<'t, 'm>(
     table.iter().filter(move |a| a.code == code)
 }
 
-/// Causes and remedies of an alarm. A table of its own, which no [`DriveModel`](super::DriveModel) refers to: a program
+/// Causes and remedies of an alarm, and how it shows on EtherCAT. A table of its own, which no [`DriveModel`](super::DriveModel) refers to: a program
 /// that does not name it does not carry it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -108,12 +110,62 @@ pub struct AlarmText<'m> {
     number: u16,
     causes: &'m [&'m str],
     remedies: &'m [&'m str],
+    esm: &'m [EsmState],
+    esm_after: Option<EsmAfter>,
+    sync: Option<SyncMode>,
+    al_status: Option<u16>,
+    led: Option<Led>,
 }
 
 impl<'m> AlarmText<'m> {
     /// Causes and remedies of the alarm with this display and number.
     pub const fn new(display: &'m str, number: u16, causes: &'m [&'m str], remedies: &'m [&'m str]) -> Self {
-        Self { display, number, causes, remedies }
+        Self {
+            display,
+            number,
+            causes,
+            remedies,
+            esm: &[],
+            esm_after: None,
+            sync: None,
+            al_status: None,
+            led: None,
+        }
+    }
+
+    /// With the states of the EtherCAT state machine in which it is detected.
+    #[must_use]
+    pub const fn with_esm(mut self, esm: &'m [EsmState]) -> Self {
+        self.esm = esm;
+        self
+    }
+
+    /// With the state of the EtherCAT state machine after it.
+    #[must_use]
+    pub const fn with_esm_after(mut self, esm_after: EsmAfter) -> Self {
+        self.esm_after = Some(esm_after);
+        self
+    }
+
+    /// With the synchronization in which it is detected.
+    #[must_use]
+    pub const fn with_sync(mut self, sync: SyncMode) -> Self {
+        self.sync = Some(sync);
+        self
+    }
+
+    /// With the AL status code that it sets.
+    #[must_use]
+    pub const fn with_al_status(mut self, al_status: u16) -> Self {
+        self.al_status = Some(al_status);
+        self
+    }
+
+    /// With what the error indicator shows.
+    #[must_use]
+    pub const fn with_led(mut self, led: Led) -> Self {
+        self.led = Some(led);
+        self
     }
 
     /// What can have caused it.
@@ -126,7 +178,32 @@ impl<'m> AlarmText<'m> {
         self.remedies
     }
 
-    /// The row of `table` for `alarm`; `None` where the manual states neither cause nor remedy.
+    /// States of the EtherCAT state machine in which it is detected; none where the manual does not say.
+    pub const fn esm(&self) -> &'m [EsmState] {
+        self.esm
+    }
+
+    /// State of the EtherCAT state machine after it; `None` where the manual does not say.
+    pub const fn esm_after(&self) -> Option<EsmAfter> {
+        self.esm_after
+    }
+
+    /// Synchronization in which it is detected; `None` where the manual does not say.
+    pub const fn sync(&self) -> Option<SyncMode> {
+        self.sync
+    }
+
+    /// AL status code that it sets; `None` where the manual does not say.
+    pub const fn al_status(&self) -> Option<u16> {
+        self.al_status
+    }
+
+    /// What the error indicator shows; `None` where the manual does not say.
+    pub const fn led(&self) -> Option<Led> {
+        self.led
+    }
+
+    /// The row of `table` for `alarm`; `None` where the manual says nothing of all this.
     pub fn find<'t>(table: &'t [Self], alarm: &AlarmDesc<'_>) -> Option<&'t Self> {
         table.iter().find(|t| alarm.is(t.display, t.number))
     }

@@ -50,6 +50,11 @@ pub enum ModelError {
         /// The mapping object.
         pdo: Address,
     },
+    /// A homing method does not come after the one before it, or is the same as one without a program.
+    Homing {
+        /// The method.
+        number: i8,
+    },
 }
 
 impl fmt::Display for ModelError {
@@ -70,6 +75,9 @@ impl fmt::Display for ModelError {
             Self::OtherLength { pdo, entry } => {
                 write!(f, "{pdo} maps {entry} with another length than that of its type")
             }
+            Self::Homing { number } => {
+                write!(f, "homing method {number} is out of order or the same as one without a program")
+            }
             Self::TooLong { pdo } => write!(f, "{pdo} maps more than it can hold"),
         }
     }
@@ -86,8 +94,21 @@ impl<'m> DriveModel<'m> {
         ascending(self.objects().iter().map(ObjectDesc::address))?;
         ascending(self.allowed().iter().map(super::Allowed::address))?;
         ascending(self.texts().iter().map(super::TextDefault::address))?;
+        self.homing_fits()?;
         self.objects().iter().try_for_each(|object| self.references_lead_somewhere(object))?;
         self.pdos().iter().try_for_each(|pdo| self.pdo_is_possible(pdo))
+    }
+
+    fn homing_fits(&self) -> Result<(), ModelError> {
+        let mut last = None;
+        for method in self.homing_methods() {
+            let number = method.number();
+            let program =
+                method.same().map_or(true, |_| self.homing(number).is_some_and(|m| !m.cases().is_empty()));
+            holds(last < Some(number) && program, ModelError::Homing { number })?;
+            last = Some(number);
+        }
+        Ok(())
     }
 
     fn references_lead_somewhere(&self, object: &ObjectDesc<'m>) -> Result<(), ModelError> {
@@ -166,6 +187,20 @@ mod tests {
         assert_eq!(model(&[row(1, 0).unit(0)]).check(), error);
         assert_eq!(model(&[row(1, 0).values(0)]).check(), error);
         assert_eq!(model(&[row(1, 0).bits(0)]).check(), error);
+    }
+
+    #[test]
+    fn homing_methods_ascend_and_lead_to_programs() {
+        let cases = [HomingCase::new(&[], &[])];
+        let check = |methods: &[HomingDesc<'_>]| {
+            DriveModel::new(Identity::new("x", "y", "z")).with_homing(methods).check()
+        };
+        let (one, two) = (HomingDesc::new(1).with_cases(&cases), HomingDesc::new(2).with_same(1));
+        assert_eq!(check(&[one, two]), Ok(()));
+        assert_eq!(check(&[two, one]), Err(ModelError::Homing { number: 1 }));
+        assert_eq!(check(&[one, one]), Err(ModelError::Homing { number: 1 }));
+        assert_eq!(check(&[HomingDesc::new(1), two]), Err(ModelError::Homing { number: 2 }));
+        assert_eq!(check(&[two]), Err(ModelError::Homing { number: 2 }));
     }
 
     #[test]

@@ -5,6 +5,7 @@
 //! add the rest, so that a new column does not break what was generated before.
 
 mod alarm;
+mod detection;
 mod identity;
 mod integrity;
 mod object;
@@ -12,9 +13,11 @@ mod pdo;
 
 use crate::address::Address;
 use crate::bit_field::BitFieldDesc;
+use crate::homing::HomingDesc;
 use crate::wire_enum::EnumDesc;
 
 pub use alarm::{alarms_by_code, AlarmDesc, AlarmText, Reset};
+pub use detection::{EsmAfter, EsmState, Led, SyncMode};
 pub use identity::Identity;
 pub use integrity::ModelError;
 pub use object::{find_object, Allowed, DefaultValue, Meaning, ObjectDesc, TextDefault, UnitDesc};
@@ -52,6 +55,7 @@ pub struct DriveModel<'m> {
     bit_fields: &'m [BitFieldDesc<'m>],
     pdos: &'m [PdoDesc<'m>],
     alarms: &'m [AlarmDesc<'m>],
+    homing_methods: &'m [HomingDesc<'m>],
 }
 
 impl<'m> DriveModel<'m> {
@@ -67,6 +71,7 @@ impl<'m> DriveModel<'m> {
             bit_fields: &[],
             pdos: &[],
             alarms: &[],
+            homing_methods: &[],
         }
     }
 }
@@ -113,6 +118,8 @@ tables! {
     pdos, with_pdos: PdoDesc;
     /// Faults and warnings.
     alarms, with_alarms: AlarmDesc;
+    /// Homing methods, ascending by number; empty where the manual describes none.
+    homing_methods, with_homing: HomingDesc;
 }
 
 impl<'m> DriveModel<'m> {
@@ -174,6 +181,13 @@ impl<'m> DriveModel<'m> {
     /// The process data whose mapping is at this index.
     pub fn pdo(&self, address: Address) -> Option<&'m PdoDesc<'m>> {
         self.pdos.iter().find(|p| p.address().index() == address.index())
+    }
+
+    /// The homing method `number` with its program: for one that is the same as another, that one.
+    pub fn homing(&self, number: i8) -> Option<&'m HomingDesc<'m>> {
+        let find = |number| self.homing_methods.iter().find(|method| method.number() == number);
+        let method = find(number)?;
+        method.same().map_or(Some(method), find)
     }
 
     /// The alarm that the panel shows as `display` and the maker numbers `number`.

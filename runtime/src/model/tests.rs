@@ -4,6 +4,7 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::*;
+use crate::homing::*;
 use crate::prelude::*;
 use crate::wire_enum::EnumValue;
 
@@ -44,7 +45,22 @@ static ALARMS: [AlarmDesc<'static>; 3] = [
     AlarmDesc::new("OF", 0x26, 0x8611, "hybrid error exceeded"),
     AlarmDesc::new("OC", 0x04, 0x2310, "overcurrent").with_reset(Reset::NotResettable),
 ];
-static TEXT: [AlarmText<'static>; 1] = [AlarmText::new("OF", 0x26, &["slipping coupling"], &["tighten it"])];
+static TEXT: [AlarmText<'static>; 1] = [AlarmText::new("OF", 0x26, &["slipping coupling"], &["tighten it"])
+    .with_esm(&[EsmState::SafeOp, EsmState::Op])
+    .with_esm_after(EsmAfter::Kept)
+    .with_sync(SyncMode::Dc)
+    .with_al_status(0x002C)
+    .with_led(Led::SingleFlash)];
+static CASES: [HomingCase<'static>; 1] =
+    [HomingCase::new(&[], &[Step::fast(Side::Negative, Event::Stall), Step::Latch])
+        .with_abort(&[Level::on(Signal::Home)])
+        .with_mask(&[Signal::NegativeLimit])];
+static HOMING: [HomingDesc<'static>; 4] = [
+    HomingDesc::new(-2).with_cases(&CASES).with_start(HomingStart::Negative).with_edge(Edge::Rising),
+    HomingDesc::new(15).with_status(HomingStatus::Reserved),
+    HomingDesc::new(35).with_same(37),
+    HomingDesc::new(37).with_cases(&CASES),
+];
 static MODEL: DriveModel<'static> =
     DriveModel::new(Identity::new("acme-x3", "Acme", "X3").with_vendor_id(0x4321))
         .with_objects(&OBJECTS)
@@ -54,7 +70,8 @@ static MODEL: DriveModel<'static> =
         .with_allowed(&ALLOWED)
         .with_texts(&TEXTS)
         .with_pdos(&PDOS)
-        .with_alarms(&ALARMS);
+        .with_alarms(&ALARMS)
+        .with_homing(&HOMING);
 
 fn object(index: u16, sub: u8) -> &'static ObjectDesc<'static> {
     MODEL.object(at(index, sub)).unwrap()
@@ -150,6 +167,33 @@ fn alarms_share_codes() {
     assert_eq!(MODEL.alarm("OC", 0x25), None);
     assert_eq!(AlarmText::find(&TEXT, alarm).unwrap().remedies(), ["tighten it"]);
     assert_eq!(AlarmText::find(&TEXT, MODEL.alarm("OC", 4).unwrap()), None);
+}
+
+#[test]
+fn what_ethercat_shows_stands_beside_the_text() {
+    let text = TEXT[0];
+    assert_eq!(text.esm().iter().map(|s| s.word()).collect::<Vec<_>>(), ["SafeOP", "OP"]);
+    assert_eq!((text.esm_after(), text.sync()), (Some(EsmAfter::Kept), Some(SyncMode::Dc)));
+    assert_eq!((text.al_status(), text.led()), (Some(0x2C), Some(Led::SingleFlash)));
+    let silent = AlarmText::new("OF", 0x26, &[], &[]);
+    assert_eq!((silent.esm(), silent.esm_after(), silent.al_status()), (&[][..], None, None));
+    assert_eq!((silent.sync(), silent.led()), (None, None));
+}
+
+#[test]
+fn homing_methods_are_found_by_number_and_followed() {
+    assert_eq!(MODEL.homing(-2).map(HomingDesc::number), Some(-2));
+    assert_eq!(MODEL.homing(35).map(HomingDesc::number), Some(37), "the same as that one");
+    assert_eq!(MODEL.homing(15).map(|m| (m.status(), m.cases().len())), Some((HomingStatus::Reserved, 0)));
+    assert_eq!(MODEL.homing(1), None);
+    let method = MODEL.homing_methods()[0];
+    assert_eq!((method.start(), method.edge()), (Some(HomingStart::Negative), Some(Edge::Rising)));
+    assert_eq!((method.side(), method.reference(), method.approach()), (None, None, None));
+    let case = method.cases()[0];
+    assert_eq!(
+        (case.abort().map(|a| a.0), case.mask()),
+        (Some(&[Level::on(Signal::Home)][..]), &[Signal::NegativeLimit][..])
+    );
 }
 
 #[test]

@@ -103,6 +103,9 @@ fn generated(lines: &mut Lines) -> Result<(), core::fmt::Error> {
     for alarm in savch_sdv3_e::MODEL.alarms_by_code(black_box(0x8102)) {
         write!(lines, "{} {:?}", alarm.name(), alarm.reset())?;
     }
+    for case in savch_sdv3_e::MODEL.homing(black_box(1)).into_iter().flat_map(|m| m.cases()) {
+        write!(lines, "{}: {}", case.when(), case.moves())?;
+    }
     alarms::ALARM_TEXTS.iter().flat_map(|t| t.remedies()).try_for_each(|remedy| lines.write_str(remedy))
 }
 

@@ -2,12 +2,12 @@
 
 use std::fmt::Write;
 
-use super::docs::comment;
+use super::docs::{self, comment};
 use super::enums::source;
 use super::lower::Lowered;
 use super::names::{Scope, ident};
 use crate::emit::escape::rust_doc;
-use crate::model::{BitField, BitsDef};
+use crate::model::{Address, BitField, BitsDef, Entry};
 use crate::name::Case;
 
 pub(super) fn body(lowered: &Lowered<'_>) -> String {
@@ -15,8 +15,11 @@ pub(super) fn body(lowered: &Lowered<'_>) -> String {
     if !lowered.model.bits.is_empty() {
         out.push_str("use drivewright_runtime::prelude::*;\n");
     }
-    for ((_, table), meaning) in lowered.model.bits.iter().zip(&lowered.bits) {
-        let doc = comment("    ", &[format!("Bits of {}.", rust_doc(table.name.original()))]);
+    for ((id, table), meaning) in lowered.model.bits.iter().zip(&lowered.bits) {
+        let names_them = |e: &&Entry| e.bits.as_ref().is_some_and(|b| b.value == id);
+        let used: Vec<Address> =
+            lowered.model.entries.as_slice().iter().filter(names_them).map(|e| e.address).collect();
+        let doc = comment("    ", &[docs::table(&table.name, "bits", &used)]);
         let _ = write!(out, "\nbit_field! {{\n{doc}    pub struct {}({}) {{\n", meaning.name, meaning.repr);
         fields(&mut out, table);
         out.push_str("    }\n}\n");

@@ -1,7 +1,9 @@
 //! Doc comments: what a reader of the generated crate wants to know of an entry, with who says so.
 
+use super::values;
 use crate::emit::escape::rust_doc;
-use crate::model::{Cite, Class, Entry, Erratum, ErratumId, Fact, Model, Origin, Value};
+use crate::model::{Address, Cite, Class, Entry, Erratum, ErratumId, Model, Origin};
+use crate::name::Name;
 
 /// Writes `text` as doc comment lines; an empty text is an empty line.
 pub(super) fn comment(indent: &str, lines: &[String]) -> String {
@@ -14,7 +16,7 @@ pub(super) fn comment(indent: &str, lines: &[String]) -> String {
 pub(super) fn entry(entry: &Entry, model: &Model) -> Vec<String> {
     let mut lines = vec![headline(entry), String::new()];
     lines.extend(entry.text.as_ref().map(|t| rust_doc(t)));
-    lines.extend(values(entry));
+    lines.extend(values::sentence(entry, model));
     lines.extend(entry.note.as_ref().map(|n| format!("Note: {}", rust_doc(n))));
     lines.extend(entry.deviation.as_ref().map(|d| format!("Deviates from the standard: {}", rust_doc(d))));
     lines.extend(said(entry));
@@ -33,32 +35,6 @@ fn headline(entry: &Entry) -> String {
     let (name, ty, access) =
         (rust_doc(&entry.name.value), entry.ty.value.cia301_name(), entry.access.value.word());
     format!("{name}, `{}`: {ty}, {access}, {mapping}.", entry.address)
-}
-
-fn values(entry: &Entry) -> Option<String> {
-    let unit = entry.unit.as_ref().map(|u| format!("In {}", rust_doc(&u.value.text)));
-    let number = |f: &Fact<i128>| f.value.to_string();
-    let range = match (&entry.min, &entry.max) {
-        (Some(min), Some(max)) => Some(format!("{} to {}", number(min), number(max))),
-        (Some(min), None) => Some(format!("from {}", number(min))),
-        (None, Some(max)) => Some(format!("to {}", number(max))),
-        (None, None) => None,
-    };
-    let allow = entry.allow.as_ref().map(|a| {
-        let list: Vec<String> = a.value.iter().map(ToString::to_string).collect();
-        format!("only {}", list.join(", "))
-    });
-    let default = entry.default.as_ref().map(|d| match &d.value {
-        Value::Int(n) if *n > 0xFFFF && entry.unit.is_none() => format!("default {n} ({n:08X}h)"),
-        Value::Int(n) => format!("default {n}"),
-        Value::Text(t) => format!("default \"{}\"", rust_doc(t)),
-    });
-    let parts: Vec<String> = [unit, range, allow, default].into_iter().flatten().collect();
-    let mut text = parts.join("; ");
-    if let Some(first) = text.get_mut(..1) {
-        first.make_ascii_uppercase();
-    }
-    (!text.is_empty()).then(|| format!("{text}."))
 }
 
 /// Where the manual says it, and what it does not say itself.
@@ -104,12 +80,12 @@ fn errata(entry: &Entry, model: &Model) -> Vec<String> {
         e.address == Some(entry.address) || origins.iter().any(|o| o.erratum == Some(id))
     };
     let line = |e: &Erratum| {
-        let used = e.outcome(rust_doc);
         format!(
-            "Erratum {}, {}: printed {}, {used}. {}",
+            "Erratum {}, {}: printed {}{}. {}",
             rust_doc(&e.id),
             rust_doc(&e.field),
             rust_doc(&e.was),
+            outcome(e),
             rust_doc(&e.why)
         )
     };
@@ -117,4 +93,22 @@ fn errata(entry: &Entry, model: &Model) -> Vec<String> {
         model.errata.iter().filter(|(id, e)| concerns(*id, e)).map(|(_, e)| line(e)).collect();
     // Each stands on its own.
     lines.into_iter().flat_map(|l| [String::new(), l]).collect()
+}
+
+/// What becomes of a printed value. Where it is kept, the reason says so.
+pub(super) fn outcome(erratum: &Erratum) -> String {
+    let kept = erratum.set.is_none() && !erratum.unset;
+    if kept { String::new() } else { format!(", {}", erratum.outcome(rust_doc)) }
+}
+
+/// What a table is, and where its values or bits are found: `Controlword: bits of 6040:00.`
+pub(super) fn table(name: &Name, what: &str, used: &[Address]) -> String {
+    let name = rust_doc(&values::capital(name.original()));
+    let texts: Vec<String> = used.iter().map(ToString::to_string).collect();
+    match texts.as_slice() {
+        [] => format!("{name}: {what} that no object refers to."),
+        [one] => format!("{name}: {what} of {one}."),
+        [some @ .., last] if some.len() < 6 => format!("{name}: {what} of {} and {last}.", some.join(", ")),
+        some => format!("{name}: {what} of {} and {} more.", some[..4].join(", "), some.len() - 4),
+    }
 }

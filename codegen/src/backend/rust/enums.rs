@@ -2,12 +2,12 @@
 
 use std::fmt::Write;
 
-use super::docs::comment;
+use super::docs::{self, comment};
 use super::lower::Lowered;
 use super::names::{Scope, ident};
 use super::number::grouped;
 use crate::emit::escape::{one_line, rust_doc, rust_str};
-use crate::model::{Entry, EnumDef, EnumId, EnumValue, Model, Origin};
+use crate::model::{Address, Entry, EnumDef, EnumId, EnumValue, Model, Origin};
 use crate::name::Case;
 
 pub(super) fn body(lowered: &Lowered<'_>) -> String {
@@ -17,48 +17,47 @@ pub(super) fn body(lowered: &Lowered<'_>) -> String {
     }
     for ((id, table), meaning) in lowered.model.enums.iter().zip(&lowered.enums) {
         let title = one_line(table.name.original());
-        let _ = write!(
-            out,
-            "\nwire_enum! {{\n{}",
-            comment("    ", &[format!("Values of {}.", rust_doc(&title))])
-        );
+        let all: Vec<Address> = users(id, lowered.model).map(|e| e.address).collect();
+        let doc = comment("    ", &[docs::table(&table.name, "values", &all)]);
+        let _ = write!(out, "\nwire_enum! {{\n{doc}");
         let _ =
             writeln!(out, "    pub struct {}({}) = \"{}\" {{", meaning.name, meaning.repr, rust_str(&title));
-        let users: Vec<&Entry> = users(id, lowered.model).collect();
-        values(&mut out, table, &users);
+        let written: Vec<&Entry> = users(id, lowered.model).filter(|e| e.access.value.writes()).collect();
+        values(&mut out, table, &written);
         out.push_str("    }\n}\n");
     }
     out
 }
 
-/// The entries that are written with values of a table.
+/// The entries that hold values of a table.
 fn users(table: EnumId, model: &Model) -> impl Iterator<Item = &Entry> {
     let uses = move |e: &&Entry| e.values.as_ref().is_some_and(|v| v.value == table);
-    model.entries.as_slice().iter().filter(uses).filter(|e| e.access.value.writes())
+    model.entries.as_slice().iter().filter(uses)
 }
 
-fn values(out: &mut String, table: &EnumDef, users: &[&Entry]) {
+fn values(out: &mut String, table: &EnumDef, written: &[&Entry]) {
     // The runtime's macro keeps `DESC` for the table.
     let mut scope = Scope::without(&["DESC"]);
     for value in &table.values {
-        out.push_str(&comment("        ", &[doc(value, users)]));
+        out.push_str(&comment("        ", &[doc(value, written)]));
         let name = scope.take(&ident(&value.name.value, Case::UpperSnake));
         let _ =
             writeln!(out, "        {name} = {} => \"{}\",", grouped(value.value), rust_str(&value.printed));
     }
 }
 
-fn doc(value: &EnumValue, users: &[&Entry]) -> String {
+fn doc(value: &EnumValue, written: &[&Entry]) -> String {
     let text = value.text.as_ref().map_or_else(String::new, |t| format!(" {}", rust_doc(t)));
-    let refused = refused(value.value, users);
+    let refused = refused(value.value, written);
     format!("{}{text}{}{refused}", rust_doc(&format!("{}.", value.printed)), source(&value.name.origin))
 }
 
-/// That no entry takes the value: tables come from a standard, too, and a drive has some of its values.
-fn refused(value: i128, users: &[&Entry]) -> String {
+/// That none of the entries that are written takes the value: tables come from a standard, too, and a drive has some of
+/// its values.
+fn refused(value: i128, written: &[&Entry]) -> String {
     let lacks = |e: &&&Entry| e.allow.as_ref().is_some_and(|a| !a.value.contains(&value));
-    let by: Vec<String> = users.iter().filter(lacks).map(|e| e.address.to_string()).collect();
-    let nobody_takes_it = !by.is_empty() && by.len() == users.len();
+    let by: Vec<String> = written.iter().filter(lacks).map(|e| e.address.to_string()).collect();
+    let nobody_takes_it = !by.is_empty() && by.len() == written.len();
     if nobody_takes_it { format!(" Not allowed by {}.", by.join(", ")) } else { String::new() }
 }
 

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use super::docs;
 use super::lower::{Handle, Lowered, imports};
 use super::number::grouped;
+use super::values::literal;
 use crate::emit::escape::one_line;
 use crate::model::{Entry, ObjectKind};
 
@@ -34,8 +35,8 @@ fn handle(out: &mut String, entry: &Entry, handle: &Handle<'_>, lowered: &Lowere
     let value = format!(
         "Object::new(0x{index:04X}, 0x{:02X}){}{}{}",
         entry.address.sub,
-        range(handle),
-        allow(handle),
+        range(entry, handle),
+        allow(entry, handle),
         scale(entry)
     );
     let start = format!("pub const {name}: Object<{ty}, {access}, {mapping}, {quantity}> =");
@@ -44,14 +45,14 @@ fn handle(out: &mut String, entry: &Entry, handle: &Handle<'_>, lowered: &Lowere
     let _ = writeln!(out, "{start}{gap}{value};");
 }
 
-fn allow(handle: &Handle<'_>) -> String {
-    let list: Vec<String> = handle.allow.iter().map(|n| grouped(*n)).collect();
+fn allow(entry: &Entry, handle: &Handle<'_>) -> String {
+    let list: Vec<String> = handle.allow.iter().map(|n| literal(entry, *n)).collect();
     if list.is_empty() { String::new() } else { format!(".allow(&[{}])", list.join(", ")) }
 }
 
-fn range(handle: &Handle<'_>) -> String {
+fn range(entry: &Entry, handle: &Handle<'_>) -> String {
     let Some((min, max)) = handle.range else { return String::new() };
-    let side = |n: Option<i128>, none: &str| n.map_or_else(|| none.to_owned(), grouped);
+    let side = |n: Option<i128>, none: &str| n.map_or_else(|| none.to_owned(), |n| literal(entry, n));
     format!(".range({}, {})", side(min, "i64::MIN"), side(max, "i64::MAX"))
 }
 

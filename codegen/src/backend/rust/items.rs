@@ -1,8 +1,6 @@
-//! The two ways of writing Rust: tables row by row, already formatted, and items through `quote`.
+//! Tables, row by row.
 
 use std::fmt::Write;
-
-use proc_macro2::TokenStream;
 
 use super::docs::comment;
 
@@ -19,20 +17,4 @@ pub(super) fn table(doc: &str, name: &str, row: &str, rows: impl Iterator<Item =
     }
     out.push_str("];\n");
     out
-}
-
-/// Items as text: formatted, unless the build goes without the formatter.
-#[cfg(feature = "format")]
-pub(super) fn items(tokens: &TokenStream) -> String {
-    match syn::parse2::<syn::File>(tokens.clone()) {
-        Ok(file) => prettyplease::unparse(&file),
-        // Cannot happen for tokens that this crate quotes; what the compiler then says is the best report.
-        Err(_) => format!("{tokens}\n"),
-    }
-}
-
-/// Items as text: formatted, unless the build goes without the formatter.
-#[cfg(not(feature = "format"))]
-pub(super) fn items(tokens: &TokenStream) -> String {
-    format!("{tokens}\n")
 }

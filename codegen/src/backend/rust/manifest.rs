@@ -1,11 +1,13 @@
 //! `Cargo.toml`, `README.md` and `lib.rs` of the crate.
 
+use std::fmt::Write;
+
 use minijinja::{Environment, UndefinedBehavior};
-use quote::{format_ident, quote};
 use serde::Serialize;
 
+use super::Module;
+use super::docs::outcome;
 use super::lower::Lowered;
-use super::{Module, items};
 use crate::backend::eds;
 use crate::emit::escape::{markdown, one_line};
 use crate::model::{Address, Model};
@@ -26,6 +28,7 @@ struct Context {
     assumed: Vec<String>,
     errata: Vec<String>,
     identity: Vec<String>,
+    homing: usize,
     example: Option<String>,
 }
 
@@ -61,13 +64,13 @@ fn context(model: &Model) -> Context {
     let drive = &model.drive;
     let manual = |m: &crate::model::Manual| format!("{}, {}", markdown(&m.title), markdown(&m.version));
     let erratum = |e: &crate::model::Erratum| {
-        let used = e.outcome(markdown);
         format!(
-            "**{}** {} `{}`: printed {}, {used} ({}). {}",
+            "**{}** {} `{}`: printed {}{} ({}). {}",
             markdown(&e.id),
             markdown(&e.at),
             e.field,
             markdown(&e.was),
+            outcome(e),
             e.sure.word(),
             markdown(&e.why)
         )
@@ -85,6 +88,7 @@ fn context(model: &Model) -> Context {
         entries: model.entries.len(),
         alarms: model.alarms.len(),
         pdos: model.pdos.len(),
+        homing: model.homing.len(),
         assumed: eds::assumptions(model).iter().map(|text| markdown(text)).collect(),
         errata: model.errata.as_slice().iter().map(erratum).collect(),
         identity: [known(1, "vendor"), known(2, "product"), known(3, "revision")]
@@ -97,16 +101,19 @@ fn context(model: &Model) -> Context {
 
 /// The crate's root. Its documentation is the README, whose example is run as a test.
 pub(super) fn lib(preamble: &str, modules: &[Module]) -> String {
-    let names: Vec<_> = modules.iter().map(|m| format_ident!("{}", m.name)).collect();
-    let body = items::items(&quote! {
-        #![doc = include_str!("../README.md")]
-        #![no_std]
-        #![forbid(unsafe_code)]
-        #![deny(missing_docs)]
-        #![doc(html_no_source)]
-        // Rows are one fact a line, however long.
-        #(#[rustfmt::skip] pub mod #names;)*
-        pub use table::MODEL;
-    });
-    format!("{preamble}\n{body}")
+    let mut out = format!("{preamble}\n{ROOT}");
+    for module in modules {
+        let _ = write!(out, "\n#[rustfmt::skip]\npub mod {};\n", module.name);
+    }
+    out.push_str("\npub use table::MODEL;\n");
+    out
 }
+
+const ROOT: &str = "\
+#![doc = include_str!(\"../README.md\")]
+#![no_std]
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+// Without rustfmt, since tables have one fact a line, however long.
+";

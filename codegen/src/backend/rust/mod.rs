@@ -1,13 +1,14 @@
 //! The typed `no_std` crate: const handles, tables, value types, process data layouts, alarms.
 //!
-//! [`lower`] decides names and types once; each other module writes one module of the output. Long lists are written row
-//! by row, already formatted; items that have structure go through `quote` and prettyplease.
+//! [`lower`] decides names and types once; each other module writes one module of the output, line by line and as rustfmt
+//! would, but for tables, which have a fact a line.
 
 mod alarms;
 mod bits;
 mod docs;
 mod enums;
 mod handles;
+mod homing;
 mod items;
 mod layouts;
 mod loss;
@@ -16,6 +17,7 @@ mod manifest;
 mod names;
 mod number;
 mod table;
+mod values;
 
 use std::fmt::Write;
 
@@ -73,7 +75,7 @@ struct Module {
 fn modules(lowered: &Lowered<'_>) -> Vec<Module> {
     let drive = escape::rust_doc(&lowered.model.drive.name);
     let module = |name, doc: &str, body| Module { name, doc: doc.replace("DRIVE", &drive), body };
-    vec![
+    let mut modules = vec![
         module(
             "od",
             "The object dictionary of the DRIVE: a typed handle for each entry.",
@@ -96,7 +98,13 @@ fn modules(lowered: &Lowered<'_>) -> Vec<Module> {
             "The DRIVE as data: every table, and `MODEL`, which holds them together.",
             table::body(lowered),
         ),
-    ]
+    ];
+    if !lowered.model.homing.is_empty() {
+        let doc = "Homing methods of the DRIVE as programs, each with where it starts and what it does.";
+        // `table` stays last: it holds all others together.
+        modules.insert(modules.len() - 1, module("homing", doc, homing::body(lowered)));
+    }
+    modules
 }
 
 /// The first lines of every file. No version, date or host: output is a function of the profile.

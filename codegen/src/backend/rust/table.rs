@@ -2,20 +2,16 @@
 
 use std::fmt::Write;
 
-use quote::{format_ident, quote};
-
 use super::items;
 use super::lower::{Lowered, access, meaning_of, quantity, units};
-use super::number::grouped;
+use super::number::{grouped, hex};
+use super::values::literal;
 use crate::emit::escape::rust_str;
-use crate::model::{Address, BitField, BitsDef, Direction, Entry, Fact, Id, Model, Pdo, Type, Unit, Value};
+use crate::model::{Address, BitField, BitsDef, Direction, Entry, Fact, Id, Model, Pdo, Unit, Value};
 
 pub(super) fn body(lowered: &Lowered<'_>) -> String {
     let model = lowered.model;
-    let mut out = items::items(&quote! {
-        use super::alarms::ALARMS;
-        use drivewright_runtime::prelude::*;
-    });
+    let mut out = String::from("use super::alarms::ALARMS;\nuse drivewright_runtime::prelude::*;\n");
     let units = units(model);
     out.push_str(&items::table("Units.", "UNITS", "UnitDesc", units.iter().map(|u| unit(u))));
     let rows = model.entries.iter().map(|(_, e)| object(e, &units));
@@ -39,7 +35,6 @@ pub(super) fn body(lowered: &Lowered<'_>) -> String {
         .zip(&lowered.layouts)
         .map(|(p, l)| pdo(p, (!l.fields.is_empty()).then_some(&l.name), model));
     out.push_str(&items::table("Process data as the drive ships, by index.", "PDOS", "PdoDesc", rows));
-    out.push('\n');
     out.push_str(&whole(model));
     out
 }
@@ -74,8 +69,9 @@ fn object(entry: &Entry, units: &[&Unit]) -> String {
         rust_str(&entry.name.value)
     );
     if entry.min.is_some() || entry.max.is_some() {
-        let side =
-            |f: Option<&Fact<i128>>, none: &str| f.map_or_else(|| none.to_owned(), |f| pattern(f.value));
+        let side = |f: Option<&Fact<i128>>, none: &str| {
+            f.map_or_else(|| none.to_owned(), |f| pattern(entry, f.value))
+        };
         let _ = write!(
             row,
             ".range({}, {})",
@@ -84,7 +80,7 @@ fn object(entry: &Entry, units: &[&Unit]) -> String {
         );
     }
     if let Some(default) = entry.default_int() {
-        let _ = write!(row, ".default_int({})", default_literal(entry, default.value));
+        let _ = write!(row, ".default_int({})", pattern(entry, default.value));
     }
     if let Some(place) = entry.unit.as_ref().and_then(|u| units.iter().position(|v| **v == u.value)) {
         let _ = write!(row, ".unit({place})");
@@ -97,20 +93,14 @@ fn object(entry: &Entry, units: &[&Unit]) -> String {
     row
 }
 
-/// Words that are no quantity, such as mapping words and product codes, are read in hexadecimal.
-fn default_literal(entry: &Entry, n: i128) -> String {
-    let word = entry.unit.is_none() && entry.ty.value == Type::int(false, 32) && n > 0xFFFF;
-    if word { format!("0x{:04X}_{:04X}", n >> 16, n & 0xFFFF) } else { pattern(n) }
-}
-
 /// A number as the tables hold it: values of UNSIGNED64 above 63 bits as their bit pattern.
-fn pattern(n: i128) -> String {
+fn pattern(entry: &Entry, n: i128) -> String {
     let wrapped = if n > i128::from(i64::MAX) { n - (1 << 64) } else { n };
-    grouped(wrapped)
+    literal(entry, wrapped)
 }
 
 fn allowed(entry: &Entry) -> Option<String> {
-    let list: Vec<String> = entry.allow.as_ref()?.value.iter().map(|n| pattern(*n)).collect();
+    let list: Vec<String> = entry.allow.as_ref()?.value.iter().map(|n| pattern(entry, *n)).collect();
     Some(format!("Allowed::new({}, &[{}])", address(entry.address), list.join(", ")))
 }
 
@@ -155,40 +145,43 @@ fn mapping(pdo: &Pdo, model: &Model) -> String {
     format!("&[{}]", entries.join(", "))
 }
 
-/// The static that holds all tables together.
+/// The static that holds all tables together, and the test that they fit.
 fn whole(model: &Model) -> String {
-    let drive = &model.drive;
-    let (id, vendor, name) = (&drive.id, &drive.vendor, &drive.name);
-    let known = |sub: u8, method: &str| {
-        let number = model.default_int(Address::new(0x1018, sub)).and_then(|n| u32::try_from(n).ok())?;
-        let method = format_ident!("{method}");
-        // Identity is read in hexadecimal.
-        let number: proc_macro2::Literal = format!("0x{number:08X}").parse().ok()?;
-        Some(quote! { .#method(#number) })
-    };
-    let identity: Vec<_> =
-        [known(1, "with_vendor_id"), known(2, "with_product_code"), known(3, "with_revision")]
-            .into_iter()
-            .flatten()
-            .collect();
-    items::items(&quote! {
-        /// The whole drive.
-        pub static MODEL: DriveModel<'static> = DriveModel::new(Identity::new(#id, #vendor, #name) #(#identity)*)
-            .with_objects(&OBJECTS)
-            .with_units(&UNITS)
-            .with_allowed(&ALLOWED)
-            .with_texts(&TEXTS)
-            .with_enums(&ENUMS)
-            .with_bit_fields(&BIT_FIELDS)
-            .with_pdos(&PDOS)
-            .with_alarms(&ALARMS);
-
-        #[cfg(test)]
-        mod tests {
-            #[test]
-            fn the_tables_fit_together() {
-                assert_eq!(super::MODEL.check(), Ok(()));
-            }
-        }
-    })
+    let mut out =
+        String::from("\n/// The whole drive.\npub static MODEL: DriveModel<'static> = DriveModel::new(\n");
+    out.push_str(&identity(model));
+    out.push_str(",\n)");
+    for table in TABLES {
+        let _ = write!(out, "\n.with_{}(&{table})", table.to_ascii_lowercase());
+    }
+    if !model.homing.is_empty() {
+        out.push_str("\n.with_homing(&super::homing::HOMING)");
+    }
+    out + ";\n" + TEST
 }
+
+fn identity(model: &Model) -> String {
+    let drive = &model.drive;
+    let [id, vendor, name] = [&drive.id, &drive.vendor, &drive.name].map(|text| rust_str(text));
+    let mut out = format!("    Identity::new(\"{id}\", \"{vendor}\", \"{name}\")");
+    for (sub, method) in [(1, "with_vendor_id"), (2, "with_product_code"), (3, "with_revision")] {
+        let number = model.default_int(Address::new(0x1018, sub)).filter(|n| u32::try_from(*n).is_ok());
+        if let Some(number) = number {
+            let _ = write!(out, "\n        .{method}({})", hex(number, 8));
+        }
+    }
+    out
+}
+
+/// The tables of the model, as the statics are called.
+const TABLES: [&str; 8] = ["OBJECTS", "UNITS", "ALLOWED", "TEXTS", "ENUMS", "BIT_FIELDS", "PDOS", "ALARMS"];
+
+const TEST: &str = "
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_tables_fit_together() {
+        assert_eq!(super::MODEL.check(), Ok(()));
+    }
+}
+";

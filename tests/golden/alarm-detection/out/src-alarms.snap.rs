@@ -15,5 +15,12 @@ pub static ALARMS: [AlarmDesc<'static>; 6] = [
     AlarmDesc::new("E6", 0x06, 0xA005, "Watch"),
 ];
 
-/// Causes and remedies, where the manual gives them. No other table refers to it: it is linked only when it is named.
-pub static ALARM_TEXTS: [AlarmText<'static>; 0] = [];
+/// Causes, remedies and what EtherCAT shows, where the manual says so. No other table refers to it: it is linked only when it is named.
+pub static ALARM_TEXTS: [AlarmText<'static>; 6] = [
+    AlarmText::new("E1", 0x01, &[], &[]).with_esm(&[EsmState::SafeOp, EsmState::Op]).with_esm_after(EsmAfter::SafeOp).with_sync(SyncMode::Dc).with_al_status(0x002C).with_led(Led::SingleFlash),
+    AlarmText::new("E2", 0x02, &[], &[]).with_esm(&[EsmState::Init]).with_esm_after(EsmAfter::Init).with_sync(SyncMode::FreeRun).with_al_status(0x001B),
+    AlarmText::new("E3", 0x03, &[], &[]).with_esm(&[EsmState::PreOp, EsmState::Op]).with_esm_after(EsmAfter::Kept).with_sync(SyncMode::All).with_led(Led::Off),
+    AlarmText::new("E4", 0x04, &[], &[]).with_esm_after(EsmAfter::Requested).with_led(Led::On),
+    AlarmText::new("E5", 0x05, &[], &[]).with_esm_after(EsmAfter::PreOp).with_led(Led::Blinking),
+    AlarmText::new("E6", 0x06, &[], &[]).with_esm_after(EsmAfter::Op),
+];

@@ -14,7 +14,7 @@ pub static ALARMS: [AlarmDesc<'static>; 5] = [
     AlarmDesc::new("Er 01", 0xFFFF, 0xFFFF, "24 V low"),
 ];
 
-/// Causes and remedies, where the manual gives them. No other table refers to it: it is linked only when it is named.
+/// Causes, remedies and what EtherCAT shows, where the manual says so. No other table refers to it: it is linked only when it is named.
 pub static ALARM_TEXTS: [AlarmText<'static>; 1] = [
     AlarmText::new("OF", 0x25, &["The load is blocked.", "The gain is too low."], &["Free the axis.", "Raise the gain."]),
 ];

@@ -6,7 +6,7 @@
 use drivewright_runtime::prelude::*;
 
 wire_enum! {
-    /// Values of stop.
+    /// Stop: values of 2000:00, 2001:00 and 2002:00.
     pub struct Stop(i16) = "stop" {
         /// Coast. (3 L9)
         COAST = 0 => "Coast",

@@ -8,14 +8,14 @@ use drivewright_runtime::prelude::*;
 
 /// Stop option, `2000:00`: INTEGER16, rw, RxPDO.
 ///
-/// Only 0, 2.
+/// Only 0 (Coast), 2 (Quick ramp).
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
 pub const STOP_OPTION: Object<enums::Stop, Rw, Rx, Raw> = Object::new(0x2000, 0x00).allow(&[0, 2]);
 
 /// Halt option, `2001:00`: INTEGER16, rw, mapping not stated.
 ///
-/// Only 0.
+/// Only 0 (Coast).
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
 pub const HALT_OPTION: Object<enums::Stop, Rw, MapNotStated, Raw> =

@@ -6,7 +6,7 @@
 use drivewright_runtime::prelude::*;
 
 bit_field! {
-    /// Bits of controlword.
+    /// Controlword: bits of 6040:00.
     pub struct Controlword(u16) {
         /// Switch on. (standard: cia402)
         SWITCH_ON: 0,

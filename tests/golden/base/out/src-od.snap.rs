@@ -9,7 +9,7 @@ use drivewright_runtime::prelude::*;
 /// Device type, `1000:00`: UNSIGNED32, ro, mapping not stated.
 ///
 /// Device profile in the low half, 402 for drives; the kind of drive above it.
-/// Default 131474 (00020192h).
+/// Default 00020192h.
 /// Manual: 1 L1.
 /// The name is standard: cia301.
 /// The type is standard: cia301.

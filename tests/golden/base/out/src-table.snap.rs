@@ -60,16 +60,18 @@ pub static PDOS: [PdoDesc<'static>; 0] = [];
 
 /// The whole drive.
 pub static MODEL: DriveModel<'static> = DriveModel::new(
-        Identity::new("x1", "Acme", "X1").with_vendor_id(0x00000001),
-    )
-    .with_objects(&OBJECTS)
-    .with_units(&UNITS)
-    .with_allowed(&ALLOWED)
-    .with_texts(&TEXTS)
-    .with_enums(&ENUMS)
-    .with_bit_fields(&BIT_FIELDS)
-    .with_pdos(&PDOS)
-    .with_alarms(&ALARMS);
+    Identity::new("x1", "Acme", "X1")
+        .with_vendor_id(0x0000_0001),
+)
+.with_objects(&OBJECTS)
+.with_units(&UNITS)
+.with_allowed(&ALLOWED)
+.with_texts(&TEXTS)
+.with_enums(&ENUMS)
+.with_bit_fields(&BIT_FIELDS)
+.with_pdos(&PDOS)
+.with_alarms(&ALARMS);
+
 #[cfg(test)]
 mod tests {
     #[test]

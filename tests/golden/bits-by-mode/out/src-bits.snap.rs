@@ -6,7 +6,7 @@
 use drivewright_runtime::prelude::*;
 
 bit_field! {
-    /// Bits of control.
+    /// Control: bits of 2000:00.
     pub struct Control(u16) {
         /// Switch on. (3 L10)
         SWITCH_ON: 0,

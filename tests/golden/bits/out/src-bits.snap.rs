@@ -6,7 +6,7 @@
 use drivewright_runtime::prelude::*;
 
 bit_field! {
-    /// Bits of inputs.
+    /// Inputs: bits of 2000:00.
     pub struct Inputs(u32) {
         /// Negative limit. 1: the switch is reached. (3 L11)
         NEGATIVE_LIMIT: 0,

@@ -10,7 +10,7 @@ pub static ALARMS: [AlarmDesc<'static>; 1] = [
     AlarmDesc::new("E1", 0x01, 0x0001, "+ alarm"),
 ];
 
-/// Causes and remedies, where the manual gives them. No other table refers to it: it is linked only when it is named.
+/// Causes, remedies and what EtherCAT shows, where the manual says so. No other table refers to it: it is linked only when it is named.
 pub static ALARM_TEXTS: [AlarmText<'static>; 1] = [
     AlarmText::new("E1", 0x01, &["    panic!()"], &["https://example.com"]),
 ];

@@ -6,7 +6,7 @@
 use drivewright_runtime::prelude::*;
 
 bit_field! {
-    /// Bits of switches.
+    /// Switches: bits of 2007:00.
     pub struct Switches(u8) {
         /// \= on. panic!() (3 L11)
         ON: 0,

@@ -6,7 +6,7 @@
 use drivewright_runtime::prelude::*;
 
 wire_enum! {
-    /// Values of level.
+    /// Level: values of 2006:00.
     pub struct Level(u8) = "level" {
         /// 1\. panic!() (3 L9)
         ONE = 1 => "1",

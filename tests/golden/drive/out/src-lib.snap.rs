@@ -5,17 +5,25 @@
 #![no_std]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
-#![doc(html_no_source)]
+
+// Without rustfmt, since tables have one fact a line, however long.
+
 #[rustfmt::skip]
 pub mod od;
+
 #[rustfmt::skip]
 pub mod enums;
+
 #[rustfmt::skip]
 pub mod bits;
+
 #[rustfmt::skip]
 pub mod pdo;
+
 #[rustfmt::skip]
 pub mod alarms;
+
 #[rustfmt::skip]
 pub mod table;
+
 pub use table::MODEL;

@@ -8,7 +8,7 @@ use drivewright_runtime::prelude::*;
 /// Device type, `1000:00`: UNSIGNED32, ro, mapping not stated.
 ///
 /// Device profile in the low half, 402 for drives; the kind of drive above it.
-/// Default 131474 (00020192h).
+/// Default 00020192h.
 /// Manual: 1.1 L20.
 /// The name is standard: cia301.
 /// The type is standard: cia301.
@@ -31,7 +31,7 @@ pub const IDENTITY_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object
 /// Vendor-ID, `1018:01`: UNSIGNED32, ro, mapping not stated.
 ///
 /// Number of the maker, given by CiA or the ETG.
-/// Default 605.
+/// Default 0000025Dh.
 /// Manual: 1.1 L22.
 /// The name is standard: cia301.
 /// The type is standard: cia301.

@@ -13,7 +13,7 @@ pub static UNITS: [UnitDesc<'static>; 0] = [];
 pub static OBJECTS: [ObjectDesc<'static>; 3] = [
     ObjectDesc::new(Address::new(0x1000, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Device type").default_int(0x0002_0192),
     ObjectDesc::new(Address::new(0x1018, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Highest sub-index supported").default_int(1),
-    ObjectDesc::new(Address::new(0x1018, 0x01), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Vendor-ID").default_int(605),
+    ObjectDesc::new(Address::new(0x1018, 0x01), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Vendor-ID").default_int(0x0000_025D),
 ];
 
 /// Entries that take listed values only, by address.
@@ -33,17 +33,18 @@ pub static PDOS: [PdoDesc<'static>; 0] = [];
 
 /// The whole drive.
 pub static MODEL: DriveModel<'static> = DriveModel::new(
-        Identity::new("x1-pro-2", "Acme & Söhne", "X1 Pro (2)")
-            .with_vendor_id(0x0000025D),
-    )
-    .with_objects(&OBJECTS)
-    .with_units(&UNITS)
-    .with_allowed(&ALLOWED)
-    .with_texts(&TEXTS)
-    .with_enums(&ENUMS)
-    .with_bit_fields(&BIT_FIELDS)
-    .with_pdos(&PDOS)
-    .with_alarms(&ALARMS);
+    Identity::new("x1-pro-2", "Acme & Söhne", "X1 Pro (2)")
+        .with_vendor_id(0x0000_025D),
+)
+.with_objects(&OBJECTS)
+.with_units(&UNITS)
+.with_allowed(&ALLOWED)
+.with_texts(&TEXTS)
+.with_enums(&ENUMS)
+.with_bit_fields(&BIT_FIELDS)
+.with_pdos(&PDOS)
+.with_alarms(&ALARMS);
+
 #[cfg(test)]
 mod tests {
     #[test]

@@ -6,7 +6,7 @@
 use drivewright_runtime::prelude::*;
 
 wire_enum! {
-    /// Values of phases.
+    /// Phases: values of 2000:00.
     pub struct Phases(u8) = "phases" {
         /// 1-phase. (3 L10)
         ONE_PHASE = 1 => "1-phase",

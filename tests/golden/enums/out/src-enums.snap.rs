@@ -6,7 +6,7 @@
 use drivewright_runtime::prelude::*;
 
 wire_enum! {
-    /// Values of colour.
+    /// Colour: values that no object refers to.
     pub struct Colour(i64) = "colour" {
         /// Red. (3 L15)
         RED = 255 => "Red",
@@ -14,7 +14,7 @@ wire_enum! {
 }
 
 wire_enum! {
-    /// Values of mode.
+    /// Mode: values of 2000:00 and 2001:00.
     pub struct Mode(i8) = "mode" {
         /// Maker's own. (3 L12)
         MAKER_S_OWN = -1 => "Maker's own",
@@ -26,7 +26,7 @@ wire_enum! {
 }
 
 wire_enum! {
-    /// Values of on off.
+    /// On off: values of 2002:00.
     pub struct OnOff(i64) = "on off" {
         /// Off. (3 L13)
         OFF = 0 => "Off",

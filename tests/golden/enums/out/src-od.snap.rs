@@ -8,7 +8,7 @@ use drivewright_runtime::prelude::*;
 
 /// Mode, `2000:00`: INTEGER8, rw, mapping not stated.
 ///
-/// Default 1.
+/// Default 1 (Profile position).
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
 pub const MODE: Object<enums::Mode, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);

@@ -6,7 +6,7 @@
 use drivewright_runtime::prelude::*;
 
 bit_field! {
-    /// Bits of flags.
+    /// Flags: bits of 2000:00.
     pub struct Flags(u8) {
         /// State. (3 L27)
         STATE: 2..=4,

@@ -6,7 +6,7 @@
 use drivewright_runtime::prelude::*;
 
 wire_enum! {
-    /// Values of mode.
+    /// Mode: values of 2000:00.
     pub struct Mode(u8) = "mode" {
         /// Position. (3 L24)
         POSITION = 1 => "Position",

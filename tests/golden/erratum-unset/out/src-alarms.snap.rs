@@ -10,5 +10,5 @@ pub static ALARMS: [AlarmDesc<'static>; 1] = [
     AlarmDesc::new("OF", 0x25, 0x8611, "Following"),
 ];
 
-/// Causes and remedies, where the manual gives them. No other table refers to it: it is linked only when it is named.
+/// Causes, remedies and what EtherCAT shows, where the manual says so. No other table refers to it: it is linked only when it is named.
 pub static ALARM_TEXTS: [AlarmText<'static>; 0] = [];

@@ -6,7 +6,7 @@
 use drivewright_runtime::prelude::*;
 
 wire_enum! {
-    /// Values of own modes.
+    /// Own modes: values that no object refers to.
     pub struct OwnModes(i64) = "own modes" {
         /// By position. (4.2 L8)
         BY_POSITION = 1 => "By position",

@@ -15,7 +15,7 @@ use drivewright_runtime::prelude::*;
 /// The access is standard: cia402.
 /// The mapping is standard: cia402.
 ///
-/// Erratum E4, default: printed 1, kept. 4.3 has 8.
+/// Erratum E4, default: printed 1. 4.3 has 8.
 ///
 /// Erratum E5, values: printed "own modes", dropped. Its values are not those.
 #[doc(alias = "6060")]

@@ -8,5 +8,5 @@ use drivewright_runtime::prelude::*;
 /// Faults and warnings, by number.
 pub static ALARMS: [AlarmDesc<'static>; 0] = [];
 
-/// Causes and remedies, where the manual gives them. No other table refers to it: it is linked only when it is named.
+/// Causes, remedies and what EtherCAT shows, where the manual says so. No other table refers to it: it is linked only when it is named.
 pub static ALARM_TEXTS: [AlarmText<'static>; 0] = [];

@@ -10,7 +10,7 @@ pub static ALARMS: [AlarmDesc<'static>; 1] = [
     AlarmDesc::new("E\"]", 0x01, 0x0001, "*/ alarm"),
 ];
 
-/// Causes and remedies, where the manual gives them. No other table refers to it: it is linked only when it is named.
+/// Causes, remedies and what EtherCAT shows, where the manual says so. No other table refers to it: it is linked only when it is named.
 pub static ALARM_TEXTS: [AlarmText<'static>; 1] = [
     AlarmText::new("E\"]", 0x01, &["<b>\\</b>", "`a` | b"], &["[x](y)"]),
 ];

@@ -6,7 +6,7 @@
 use drivewright_runtime::prelude::*;
 
 wire_enum! {
-    /// Values of a'b.
+    /// A'b: values that no object refers to.
     pub struct AB(i64) = "a'b" {
         /// x"y. \*/ \#} (3 L9)
         X_Y = 0 => "x\"y",

@@ -10,7 +10,7 @@ use drivewright_runtime::prelude::*;
 /// \*/ } " \\
 /// Manual: 2 L1.
 ///
-/// Erratum E"1, type: printed "u16", kept. \*/ \[1018\] &lt;x&gt; \| \`y\`
+/// Erratum E"1, type: printed "u16". \*/ \[1018\] &lt;x&gt; \| \`y\`
 #[doc(alias = "2000")]
 pub const QUOTE_AND_BACKSLASH: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);
 

@@ -8,7 +8,7 @@ use drivewright_runtime::prelude::*;
 /// Device type, `1000:00`: UNSIGNED32, ro, mapping not stated.
 ///
 /// Device profile in the low half, 402 for drives; the kind of drive above it.
-/// Default 131474 (00020192h).
+/// Default 00020192h.
 /// Manual: 1.1 L20.
 /// The name is standard: cia301.
 /// The type is standard: cia301.
@@ -42,7 +42,7 @@ pub const IDENTITY_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object
 /// Vendor-ID, `1018:01`: UNSIGNED32, ro, mapping not stated.
 ///
 /// Number of the maker, given by CiA or the ETG.
-/// Default 4294967295 (FFFFFFFFh).
+/// Default FFFFFFFFh.
 /// Manual: 1.1 L23.
 /// The name is standard: cia301.
 /// The type is standard: cia301.
@@ -52,7 +52,7 @@ pub const VENDOR_ID: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x
 
 /// Product code, `1018:02`: UNSIGNED32, ro, mapping not stated.
 ///
-/// Default 1396983091 (53444533h).
+/// Default 53444533h.
 /// Manual: 1.1 L24.
 /// The name is standard: cia301.
 /// The type is standard: cia301.
@@ -62,7 +62,7 @@ pub const PRODUCT_CODE: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018,
 
 /// Revision number, `1018:03`: UNSIGNED32, ro, mapping not stated.
 ///
-/// Default 1048592 (00100010h).
+/// Default 00100010h.
 /// Manual: 1.1 L25.
 /// The name is standard: cia301.
 /// The type is standard: cia301.

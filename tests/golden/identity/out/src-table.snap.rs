@@ -39,19 +39,20 @@ pub static PDOS: [PdoDesc<'static>; 0] = [];
 
 /// The whole drive.
 pub static MODEL: DriveModel<'static> = DriveModel::new(
-        Identity::new("x1", "Acme", "X1")
-            .with_vendor_id(0xFFFFFFFF)
-            .with_product_code(0x53444533)
-            .with_revision(0x00100010),
-    )
-    .with_objects(&OBJECTS)
-    .with_units(&UNITS)
-    .with_allowed(&ALLOWED)
-    .with_texts(&TEXTS)
-    .with_enums(&ENUMS)
-    .with_bit_fields(&BIT_FIELDS)
-    .with_pdos(&PDOS)
-    .with_alarms(&ALARMS);
+    Identity::new("x1", "Acme", "X1")
+        .with_vendor_id(0xFFFF_FFFF)
+        .with_product_code(0x5344_4533)
+        .with_revision(0x0010_0010),
+)
+.with_objects(&OBJECTS)
+.with_units(&UNITS)
+.with_allowed(&ALLOWED)
+.with_texts(&TEXTS)
+.with_enums(&ENUMS)
+.with_bit_fields(&BIT_FIELDS)
+.with_pdos(&PDOS)
+.with_alarms(&ALARMS);
+
 #[cfg(test)]
 mod tests {
     #[test]

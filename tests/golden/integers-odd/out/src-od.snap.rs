@@ -39,7 +39,7 @@ pub const I56: Object<I56, Rw, MapNotStated, Raw> =
 
 /// U24, `2004:00`: UNSIGNED24, rw, mapping not stated.
 ///
-/// To 16777215; default 16777215 (00FFFFFFh).
+/// To 16777215; default 16777215.
 /// Manual: 2 L5.
 #[doc(alias = "2004")]
 pub const U24: Object<U24, Rw, MapNotStated, Raw> =
@@ -47,7 +47,7 @@ pub const U24: Object<U24, Rw, MapNotStated, Raw> =
 
 /// U40, `2005:00`: UNSIGNED40, rw, mapping not stated.
 ///
-/// To 1099511627775; default 1099511627775 (FFFFFFFFFFh).
+/// To 1099511627775; default 1099511627775.
 /// Manual: 2 L6.
 #[doc(alias = "2005")]
 pub const U40: Object<U40, Rw, MapNotStated, Raw> =

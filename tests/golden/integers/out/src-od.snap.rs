@@ -44,7 +44,7 @@ pub const U16: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2004, 0x00).ra
 
 /// U32, `2005:00`: UNSIGNED32, rw, mapping not stated.
 ///
-/// 0 to 4294967295; default 4294967295 (FFFFFFFFh).
+/// 0 to 4294967295; default 4294967295.
 /// Manual: 2 L6.
 #[doc(alias = "2005")]
 pub const U32: Object<u32, Rw, MapNotStated, Raw> =

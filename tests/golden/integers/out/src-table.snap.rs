@@ -16,7 +16,7 @@ pub static OBJECTS: [ObjectDesc<'static>; 6] = [
     ObjectDesc::new(Address::new(0x2002, 0x00), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "I32").range(-2_147_483_648, 2_147_483_647).default_int(-2_147_483_648),
     ObjectDesc::new(Address::new(0x2003, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "U8").range(0, 255).default_int(255),
     ObjectDesc::new(Address::new(0x2004, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "U16").range(0, 65_535).default_int(65_535),
-    ObjectDesc::new(Address::new(0x2005, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "U32").range(0, 4_294_967_295).default_int(0xFFFF_FFFF),
+    ObjectDesc::new(Address::new(0x2005, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "U32").range(0, 4_294_967_295).default_int(4_294_967_295),
 ];
 
 /// Entries that take listed values only, by address.
@@ -36,16 +36,17 @@ pub static PDOS: [PdoDesc<'static>; 0] = [];
 
 /// The whole drive.
 pub static MODEL: DriveModel<'static> = DriveModel::new(
-        Identity::new("x1", "Acme", "X1"),
-    )
-    .with_objects(&OBJECTS)
-    .with_units(&UNITS)
-    .with_allowed(&ALLOWED)
-    .with_texts(&TEXTS)
-    .with_enums(&ENUMS)
-    .with_bit_fields(&BIT_FIELDS)
-    .with_pdos(&PDOS)
-    .with_alarms(&ALARMS);
+    Identity::new("x1", "Acme", "X1"),
+)
+.with_objects(&OBJECTS)
+.with_units(&UNITS)
+.with_allowed(&ALLOWED)
+.with_texts(&TEXTS)
+.with_enums(&ENUMS)
+.with_bit_fields(&BIT_FIELDS)
+.with_pdos(&PDOS)
+.with_alarms(&ALARMS);
+
 #[cfg(test)]
 mod tests {
     #[test]

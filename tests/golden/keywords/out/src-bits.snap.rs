@@ -6,7 +6,7 @@
 use drivewright_runtime::prelude::*;
 
 bit_field! {
-    /// Bits of impl.
+    /// Impl: bits of 2001:00.
     pub struct Impl(u8) {
         /// struct. (3 L20)
         STRUCT: 0,

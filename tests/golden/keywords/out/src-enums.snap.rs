@@ -6,7 +6,7 @@
 use drivewright_runtime::prelude::*;
 
 wire_enum! {
-    /// Values of match.
+    /// Match: values of 2000:00.
     pub struct Match(u8) = "match" {
         /// Self. (3 L10)
         SELF = 0 => "Self",
@@ -20,7 +20,7 @@ wire_enum! {
 }
 
 wire_enum! {
-    /// Values of Option.
+    /// Option: values that no object refers to.
     pub struct Option(i64) = "Option" {
         /// None. (3 L14)
         NONE = 0 => "None",

@@ -18,7 +18,7 @@ pub const HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x3
 ///
 /// Manual: 6 L2.
 ///
-/// Erratum E1, parameter: printed "P0.01", kept. 7 calls it P0-01.
+/// Erratum E1, parameter: printed "P0.01". 7 calls it P0-01.
 ///
 /// Erratum E2, effect: printed "at once", used "at stop". 7 has the newer table.
 #[doc(alias = "3000")]

@@ -17,7 +17,7 @@ pub const HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x3
 /// Gain, `3000:01`: UNSIGNED16, rw, not mapped.
 ///
 /// One of five.
-/// In 0.1 Hz; 0 to 1000; default 10.
+/// In 0.1 Hz; 0 to 1000 (0 to 100 Hz); default 10 (1 Hz).
 /// Note: Not of the rows below.
 /// Manual: 6 L2.
 /// Manual, the maximum: 7 L20.
@@ -30,7 +30,7 @@ pub const GAIN_1: Object<u16, Rw, Unmapped, Frequency> =
 /// Gain, `3000:02`: UNSIGNED16, rw, not mapped.
 ///
 /// One of five.
-/// In 0.1 Hz; 0 to 1000; default 25.
+/// In 0.1 Hz; 0 to 1000 (0 to 100 Hz); default 25 (2.5 Hz).
 /// Manual: 6 L2.
 /// Manual, the maximum: 7 L20.
 /// Manual, the default: 7 L21.
@@ -45,7 +45,7 @@ pub const GAIN_2: Object<u16, Rw, Unmapped, Frequency> =
 /// Notch, `3000:03`: INTEGER16, rw, not mapped.
 ///
 /// Another thing.
-/// In 0.1 Hz; -5 to 1000; default 10.
+/// In 0.1 Hz; -5 to 1000 (-0.5 to 100 Hz); default 10 (1 Hz).
 /// Manual: 6 L4.
 /// Manual, the access: 6 L2.
 /// Manual, the mapping: 6 L2.
@@ -61,7 +61,7 @@ pub const NOTCH: Object<i16, Rw, Unmapped, Frequency> =
 /// Gain, `3000:04`: UNSIGNED16, ro, not mapped.
 ///
 /// One of five.
-/// In 0.1 Hz; 0 to 1000; default 10.
+/// In 0.1 Hz; 0 to 1000 (0 to 100 Hz); default 10 (1 Hz).
 /// Manual: 6 L2.
 /// Manual, the access: 6 L5.
 /// Manual, the maximum: 7 L20.
@@ -75,7 +75,7 @@ pub const GAIN_OF_THE_LOOP: Object<u16, Ro, Unmapped, Frequency> =
 /// Gain, `3000:05`: UNSIGNED16, rw, not mapped.
 ///
 /// One of five.
-/// In 0.1 Hz; from 0; default 10.
+/// In 0.1 Hz; from 0 (from 0 Hz); default 10 (1 Hz).
 /// Manual: 6 L2.
 ///
 /// Erratum E2, max: printed 50, dropped. No unit fits it.

@@ -6,7 +6,7 @@
 use drivewright_runtime::prelude::*;
 
 wire_enum! {
-    /// Values of states.
+    /// States: values of 2000:00.
     pub struct States(u8) = "states" {
         /// Off. (3 L3)
         OFF = 0 => "Off",

@@ -14,7 +14,7 @@ pub const SPEED: Object<u16, Rw, MapNotStated, Velocity> = Object::new(0x2000, 0
 
 /// Fine speed, `2001:00`: INTEGER32, rw, mapping not stated.
 ///
-/// In 0.1 rpm; 1 to 60000.
+/// In 0.1 rpm; 1 to 60000 (0.1 to 6000 rpm).
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
 pub const FINE_SPEED: Object<i32, Rw, MapNotStated, Velocity> =

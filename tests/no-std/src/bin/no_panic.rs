@@ -51,8 +51,11 @@ static OBJECTS: [ObjectDesc<'static>; 2] = [
     ObjectDesc::new(VELOCITY.address(), DataType::UNSIGNED32, Access::Rw, Mapping::Rx, "Velocity").unit(1),
 ];
 static ALARMS: [AlarmDesc<'static>; 1] = [AlarmDesc::new("OF", 0x25, 0x8611, "following error exceeded")];
-static MODEL: DriveModel<'static> =
-    DriveModel::new(Identity::new("none", "none", "none")).with_objects(&OBJECTS).with_alarms(&ALARMS);
+static HOMING: [HomingDesc<'static>; 2] = [HomingDesc::new(1), HomingDesc::new(2).with_same(1)];
+static MODEL: DriveModel<'static> = DriveModel::new(Identity::new("none", "none", "none"))
+    .with_objects(&OBJECTS)
+    .with_alarms(&ALARMS)
+    .with_homing(&HOMING);
 
 fn convert() {
     let scale = Scale::<UserPosition, Angle>::new(black_box(1), black_box(10_000));
@@ -105,6 +108,7 @@ fn look_up() {
     }
     black_box(MODEL.alarms_by_code(black_box(0x8611)).count());
     black_box(MODEL.alarm(black_box("OF"), black_box(0x25)).is_some());
+    black_box(MODEL.homing(black_box(1)).map(|method| (method.status(), method.cases().len())));
     black_box(AbortCode::decode(black_box(&[0; 4])).map(AbortCode::name).is_ok());
 }
 

@@ -1,0 +1,48 @@
+//! Every table and every key, once.
+
+mod behaviour;
+mod dictionary;
+mod drive;
+mod reading;
+
+use std::collections::BTreeSet;
+
+use super::Row;
+use super::decode::TableInfo;
+use super::define::{Visit, VisitMut, tables};
+use crate::diag::Sink;
+use crate::raw::RawTable;
+
+pub use behaviour::*;
+pub use dictionary::*;
+pub use drive::*;
+pub use reading::*;
+
+tables! {
+    drive: DriveRow,
+    manuals: ManualRow,
+    objects: ObjectRow,
+    enums: EnumRow,
+    bits: BitRow,
+    alarms: AlarmRow,
+    pdo: PdoRow,
+    homing: HomingRow,
+    modes: ModeRow,
+    states: StateRow,
+    commands: CommandRow,
+    aborts: AbortRow,
+    io: TerminalRow,
+    sync_managers: SyncManagerRow,
+    fmmus: FmmuRow,
+    emcy: EmcyRow,
+    rules: RuleRow,
+    examples: ExampleRow,
+    errata: ErratumRow,
+    columns: ColumnRow,
+    printed: PrintedRow,
+    shifted: ShiftedRow,
+    unproved: UnprovedRow,
+    uncited: UncitedRow,
+    audited: AuditedRow,
+    allow: AllowRow,
+}
