@@ -39,7 +39,7 @@ pub const ASSIGNED_PDOS: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x1C12,
 
 /// Assigned PDO, `1C12:01`: UNSIGNED16, rw, mapping not stated.
 ///
-/// 1600h to 1603h; only 1600h, 1603h; default 1600h.
+/// 1600h to 1603h; only 1600h, 1603h.
 /// Manual: 2 L5.
 #[doc(alias = "1C12")]
 pub const ASSIGNED_PDO: Object<u16, Rw, MapNotStated, Raw> =

@@ -21,7 +21,7 @@ pub static OBJECTS: [ObjectDesc<'static>; 14] = [
     ObjectDesc::new(Address::new(0x1001, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Error register").default_int(0x11).bits(0),
     ObjectDesc::new(Address::new(0x1006, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Cycle").range(250, 100_000).unit(0),
     ObjectDesc::new(Address::new(0x1C12, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "Assigned PDOs").range(0, 1).default_int(1),
-    ObjectDesc::new(Address::new(0x1C12, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Assigned PDO").range(0x1600, 0x1603).default_int(0x1600),
+    ObjectDesc::new(Address::new(0x1C12, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Assigned PDO").range(0x1600, 0x1603),
     ObjectDesc::new(Address::new(0x2000, 0x00), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "Speed").range(-60_000, 60_000).default_int(505).unit(1),
     ObjectDesc::new(Address::new(0x2001, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Angle").range(0, 719).default_int(90).unit(2),
     ObjectDesc::new(Address::new(0x2002, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Torque").range(i64::MIN, 3000).unit(3),
