@@ -6,7 +6,7 @@ use std::path::Path;
 use clap::CommandFactory;
 use drivewright_codegen::backend::{self, Backend};
 use drivewright_codegen::check::LINTS;
-use drivewright_codegen::diag::{Code, Diagnostic, Severity, code, github, json, render};
+use drivewright_codegen::diag::{Code, Diagnostic, Severity, code, github, json, page, render};
 use drivewright_codegen::emit::FileSet;
 use drivewright_codegen::sink::{self, Difference, SinkError, State};
 use drivewright_codegen::{Compiled, compile_folder, emit, schema};
@@ -160,20 +160,14 @@ fn explain(wanted: &str) -> End {
     if let Some(lint) = LINTS.iter().find(|l| l.code.id() == wanted) {
         return print(lint.page);
     }
-    if let Some(code) = plain_codes().find(|c| c.id() == wanted) {
-        let text = format!(
-            "# {}: {}\n\nSeverity: {}.\n\nThe finding itself says where, why and what to do.\n",
-            code.id(),
-            code.title(),
-            code.severity().word()
-        );
+    if let Some(text) = plain_codes().find(|c| c.id() == wanted).and_then(page::text) {
         return print(&text);
     }
     eprintln!("error: there is no code `{wanted}`; `drivewright lints` lists them");
     End::Usage
 }
 
-/// The codes without a page: those of the stages before the lints, and those of the backends.
+/// The codes without a page beside a lint: those of the stages before the lints, and those of the backends.
 fn plain_codes() -> impl Iterator<Item = Code> {
     code::ALL.iter().copied().chain(backend::ALL.iter().flat_map(|b| b.codes()).copied())
 }

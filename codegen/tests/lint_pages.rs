@@ -3,9 +3,9 @@
 #![allow(clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use drivewright_codegen::check::{LINTS, Lint};
-use drivewright_codegen::diag::Severity;
+use drivewright_codegen::diag::{Code, Severity, code, page};
 use drivewright_codegen::source::Source;
-use drivewright_codegen::{Compiled, compile};
+use drivewright_codegen::{Compiled, backend, compile};
 
 /// What a page leaves out: the keys that every drive has.
 const DRIVE: &str = r#"
@@ -81,6 +81,27 @@ fn pages_have_their_parts() {
             assert!(lint.page.contains(part), "{id}: {part}");
         }
     }
+}
+
+#[test]
+fn every_other_code_has_a_page_too() {
+    let others: Vec<Code> =
+        code::ALL.iter().chain(backend::ALL.iter().flat_map(|b| b.codes())).copied().collect();
+    let ids: Vec<&str> = others.iter().map(|code| code.id()).collect();
+    assert_eq!(
+        page::ids().collect::<Vec<_>>(),
+        ids,
+        "one page a code, in their order, and no page left over"
+    );
+    for code in others {
+        let text = page::text(code).expect("a page");
+        assert!(text.starts_with(&format!("# {}: {}\n", code.id(), code.title())), "{text}");
+        for part in ["## Why\n\n", "## What to do\n\n"] {
+            let (_, below) = text.split_once(part).expect("the part");
+            assert!(below.starts_with(|c: char| c.is_ascii_uppercase()) && below.contains('.'), "{text}");
+        }
+    }
+    assert!(LINTS.iter().all(|lint| page::text(lint.code).is_none()), "the page of a lint stands beside it");
 }
 
 #[test]

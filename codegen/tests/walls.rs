@@ -108,7 +108,7 @@ fn scan(code: TokenStream, module: &[&str], found: &mut BTreeSet<String>) {
             TokenTree::Group(group) if group.delimiter() == Delimiter::Brace && test => test = false,
             TokenTree::Group(group) => scan(group.stream(), module, found),
             TokenTree::Ident(word) if *word == "crate" || *word == "super" => {
-                tree(&tokens[at..], module, found)
+                tree(&tokens[at..], module, found);
             }
             _ => {}
         }
@@ -127,7 +127,7 @@ fn tree(tokens: &[TokenTree], module: &[&str], found: &mut BTreeSet<String>) {
         [TokenTree::Ident(word), rest @ ..] => match word.to_string().as_str() {
             "crate" => tree(rest.get(2..).unwrap_or_default(), &[], found),
             "super" => {
-                tree(rest.get(2..).unwrap_or_default(), module.split_last().map_or(&[], |m| m.1), found)
+                tree(rest.get(2..).unwrap_or_default(), module.split_last().map_or(&[], |m| m.1), found);
             }
             "self" => tree(rest.get(2..).unwrap_or_default(), module, found),
             word => drop(found.insert((*module.first().unwrap_or(&word)).to_owned())),

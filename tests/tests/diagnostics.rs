@@ -89,15 +89,18 @@ fn folders() -> Vec<Case> {
     made.iter().map(case).collect()
 }
 
-fn folder(root: &Path, name: &str, fill: fn(&Path)) -> PathBuf {
+fn folder(root: &Path, name: &str, fill: Fill) -> PathBuf {
     let folder = root.join(name);
     fs::create_dir_all(&folder).expect("a folder");
     fill(&folder);
     folder
 }
 
+/// Puts into a folder what makes it unreadable.
+type Fill = fn(&Path);
+
 /// Names of cases, and what makes the folder of each.
-const UNREADABLE: &[(&str, fn(&Path))] = &[
+const UNREADABLE: &[(&str, Fill)] = &[
     ("E0001-no-file", |_| {}),
     ("E0002-too-large", |folder| {
         let length = u64::try_from(limits::FILE_BYTES).expect("a length") + 1;

@@ -5,6 +5,7 @@
 pub mod code;
 pub mod github;
 pub mod json;
+pub mod page;
 pub mod render;
 
 pub use code::Code;
