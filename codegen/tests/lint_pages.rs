@@ -2,8 +2,10 @@
 
 #![allow(clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
+use std::collections::BTreeSet;
+
 use drivewright_codegen::check::{LINTS, Lint};
-use drivewright_codegen::diag::{Code, Severity, code, page};
+use drivewright_codegen::diag::{Code, Diagnostic, Severity, code, page};
 use drivewright_codegen::source::Source;
 use drivewright_codegen::{Compiled, backend, compile};
 
@@ -108,6 +110,23 @@ fn every_other_code_has_a_page_too() {
 fn codes_ascend() {
     let numbers: Vec<&str> = LINTS.iter().map(|l| &l.code.id()[1..]).collect();
     assert!(numbers.windows(2).all(|w| w[0] < w[1]), "{numbers:?}");
+}
+
+/// Whoever reads a finding can allow it: its message has the row between backquotes, and the allowance names that row.
+#[test]
+fn every_finding_of_a_lint_can_be_allowed() {
+    for lint in LINTS {
+        let fails = example(lint, "## Fails");
+        let allow = |d: &Diagnostic| {
+            let row = d.row.as_deref().unwrap_or_else(|| panic!("{}: no row", d.message));
+            assert!(d.message.contains(&format!("`{row}`")), "{}: {row}", d.message);
+            format!("{{ lint = \"{}\", at = \"{row}\", why = \"as printed\" }},\n", d.code.id())
+        };
+        let rows: BTreeSet<String> = run(fails).diagnostics.iter().map(allow).collect();
+        let allow = format!("allow = [\n{}]\n", rows.into_iter().collect::<Vec<_>>().concat());
+        let compiled = run(&format!("{allow}{fails}"));
+        assert_eq!(codes(&compiled), Vec::<&str>::new(), "{}: {allow}", lint.code.id());
+    }
 }
 
 #[test]

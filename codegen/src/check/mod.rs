@@ -16,6 +16,7 @@ mod terminals;
 mod value;
 
 use std::collections::BTreeSet;
+use std::fmt::Display;
 
 use crate::diag::{Code, Diagnostic, Sink, code};
 use crate::model::{Entry, Fact, Model, Pdo, PdoEntry, Type};
@@ -100,7 +101,8 @@ pub fn run(model: &Model, allowed: &[AllowRow], sink: &mut Sink) {
     let allowances: BTreeSet<(String, String)> = allowed.iter().map(key).collect();
     let mut used = BTreeSet::new();
     sink.absorb(found, |finding| {
-        let row = (finding.code.id().to_owned(), row_of(&finding.message).to_owned());
+        let Some(row) = &finding.row else { return true };
+        let row = (finding.code.id().to_owned(), row.clone());
         let accepted = allowances.contains(&row);
         accepted.then(|| used.insert(row));
         !accepted
@@ -110,11 +112,6 @@ pub fn run(model: &Model, allowed: &[AllowRow], sink: &mut Sink) {
     }
 }
 
-/// The row that a finding concerns: what its message has between the first backquotes.
-fn row_of(message: &str) -> &str {
-    message.split('`').nth(1).unwrap_or("")
-}
-
 fn idle(row: &AllowRow) -> Diagnostic {
     let text = format!("`{}` finds nothing at `{}`", row.lint.value.0, row.at.value.0);
     Diagnostic::new(code::ALLOW_UNUSED, row.lint.span, text)
@@ -122,9 +119,10 @@ fn idle(row: &AllowRow) -> Diagnostic {
         .help("remove it, or correct `lint` and `at`")
 }
 
-/// A finding of a lint. `message` names the row between backquotes.
-fn finding(code: Code, span: Span, message: String, why: &str, help: &str) -> Diagnostic {
-    Diagnostic::new(code, span, message).why(why).help(help)
+/// A finding of a lint. `row` is what an allowance names; `message` has it between backquotes, so that its reader can write
+/// one.
+fn finding(code: Code, span: Span, row: &dyn Display, message: String, why: &str, help: &str) -> Diagnostic {
+    Diagnostic::new(code, span, message).row(row.to_string()).why(why).help(help)
 }
 
 /// Whether an erratum set or explained a fact, so that its difference from another one is known.

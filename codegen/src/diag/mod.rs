@@ -50,6 +50,8 @@ pub struct Diagnostic {
     pub message: String,
     /// Where it stands.
     pub span: Span,
+    /// The row that it concerns, as allowances name it. Only findings of lints can be allowed, and have it.
+    pub row: Option<String>,
     /// What to read at that place; may be empty.
     pub label: String,
     /// Other places that matter.
@@ -67,11 +69,19 @@ impl Diagnostic {
             code,
             message: message.into(),
             span,
+            row: None,
             label: String::new(),
             related: Vec::new(),
             why: String::new(),
             help: String::new(),
         }
+    }
+
+    /// Names the row that an allowance of this finding would name.
+    #[must_use]
+    pub fn row(mut self, row: impl Into<String>) -> Self {
+        self.row = Some(row.into());
+        self
     }
 
     /// Says what the reader sees at the main place.

@@ -16,7 +16,14 @@ fn run(model: &Model, sink: &mut Sink) {
     for row in model.row_origins() {
         let uncited = row.origins.iter().find(|o| o.class == Class::Stated && o.cite.is_none());
         if let Some(origin) = uncited {
-            sink.push(super::finding(CODE, origin.span, format!("`{}` cites nothing", row.row), WHY, HELP));
+            sink.push(super::finding(
+                CODE,
+                origin.span,
+                &row.row,
+                format!("`{}` cites nothing", row.row),
+                WHY,
+                HELP,
+            ));
         }
     }
 }

@@ -18,7 +18,7 @@ fn run(model: &Model, sink: &mut Sink) {
                 continue;
             };
             let text = format!("`{}` cites {place}, which is no line of a manual", row.row);
-            sink.push(super::finding(CODE, origin.span, text, WHY, HELP));
+            sink.push(super::finding(CODE, origin.span, &row.row, text, WHY, HELP));
             break;
         }
     }

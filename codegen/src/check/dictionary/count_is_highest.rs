@@ -25,7 +25,7 @@ fn run(model: &Model, sink: &mut Sink) {
                 "`{}` defaults to {} and the highest sub-index is {highest}",
                 count.address, default.value
             );
-            sink.push(super::finding(CODE, default.span, text, WHY, HELP));
+            sink.push(super::finding(CODE, default.span, &count.address, text, WHY, HELP));
         }
     }
 }

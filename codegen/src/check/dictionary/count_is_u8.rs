@@ -16,7 +16,7 @@ fn run(model: &Model, sink: &mut Sink) {
         let entry = &model.entries[object.entries[0]];
         if entry.address.sub == 0 && entry.ty.value != Type::int(false, 8) {
             let text = format!("`{}` counts its sub-indexes with type {}", entry.address, entry.ty.value);
-            sink.push(super::finding(CODE, entry.ty.span(), text, WHY, HELP));
+            sink.push(super::finding(CODE, entry.ty.span(), &entry.address, text, WHY, HELP));
         }
     }
 }

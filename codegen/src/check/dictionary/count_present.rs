@@ -16,7 +16,14 @@ fn run(model: &Model, sink: &mut Sink) {
         let first = &model.entries[object.entries[0]];
         if first.address.sub != 0 {
             let text = format!("`{:04X}` starts with sub-index {:02X}", object.index, first.address.sub);
-            sink.push(super::finding(CODE, first.name.span(), text, WHY, HELP));
+            sink.push(super::finding(
+                CODE,
+                first.name.span(),
+                &format!("{:04X}", object.index),
+                text,
+                WHY,
+                HELP,
+            ));
         }
     }
 }

@@ -24,6 +24,6 @@ fn run(model: &Model, sink: &mut Sink) {
     let (profile, kind) = (default.value & 0xFFFF, default.value >> 16);
     if profile != DRIVES || kind == 0 {
         let text = format!("`{}` defaults to {:08X}h", entry.address, default.value);
-        sink.push(super::finding(CODE, default.span, text, WHY, HELP));
+        sink.push(super::finding(CODE, default.span, &entry.address, text, WHY, HELP));
     }
 }

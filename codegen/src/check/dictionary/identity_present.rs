@@ -20,7 +20,7 @@ fn run(model: &Model, sink: &mut Sink) {
         let span = model.objects.as_slice().first().map(|o| o.name.span());
         if let (None, Some(span)) = (model.entry(address), span) {
             let text = format!("the drive has no `{address}`");
-            sink.push(super::finding(CODE, span, text, WHY, HELP));
+            sink.push(super::finding(CODE, span, &address, text, WHY, HELP));
         }
     }
 }

@@ -31,7 +31,14 @@ fn run(model: &Model, sink: &mut Sink) {
                 object.index,
                 object.kind.value.word()
             );
-            sink.push(super::finding(CODE, object.kind.span(), text, WHY, HELP));
+            sink.push(super::finding(
+                CODE,
+                object.kind.span(),
+                &format!("{:04X}", object.index),
+                text,
+                WHY,
+                HELP,
+            ));
         }
     }
 }

@@ -20,11 +20,11 @@ fn run(model: &Model, sink: &mut Sink) {
         let byte = u16::from(part.byte);
         if byte != next {
             let text = format!("`emcy {byte}` starts where byte {next} is expected");
-            sink.push(super::finding(CODE, part.holds.span(), text, WHY, HELP));
+            sink.push(super::finding(CODE, part.holds.span(), &format!("emcy {byte}"), text, WHY, HELP));
         }
         next = byte + u16::from(part.bytes.value);
     }
     let Some(last) = model.emcy.last().filter(|_| next != BYTES) else { return };
     let text = format!("`emcy {}` is the last part and ends before byte {next}, not {BYTES}", last.byte);
-    sink.push(super::finding(CODE, last.bytes.span(), text, WHY, HELP));
+    sink.push(super::finding(CODE, last.bytes.span(), &format!("emcy {}", last.byte), text, WHY, HELP));
 }

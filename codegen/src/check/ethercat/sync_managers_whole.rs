@@ -18,5 +18,12 @@ fn run(model: &Model, sink: &mut Sink) {
         return;
     };
     let text = format!("`sync manager {}` stands where {expected} is expected", first.number);
-    sink.push(super::finding(CODE, first.carries.span(), text, WHY, HELP));
+    sink.push(super::finding(
+        CODE,
+        first.carries.span(),
+        &format!("sync manager {}", first.number),
+        text,
+        WHY,
+        HELP,
+    ));
 }

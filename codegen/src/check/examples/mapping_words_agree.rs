@@ -17,7 +17,14 @@ fn run(model: &Model, sink: &mut Sink) {
     for example in &model.examples {
         let (Some(value), Some(wrong)) = (&example.value, wrong(model, example)) else { continue };
         let text = format!("`example {}` {wrong}", example.label());
-        sink.push(super::finding(CODE, value.span(), text, WHY, HELP));
+        sink.push(super::finding(
+            CODE,
+            value.span(),
+            &format!("example {}", example.label()),
+            text,
+            WHY,
+            HELP,
+        ));
     }
 }
 

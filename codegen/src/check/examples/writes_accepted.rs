@@ -18,7 +18,10 @@ fn run(model: &Model, sink: &mut Sink) {
         let refused = written(model, example).find_map(|entry| Some((entry, refusal(entry, example)?)));
         let (Some(write), Some((entry, (fact, why)))) = (&example.write, refused) else { continue };
         let text = format!("`example {}` writes to {}, {why}", example.label(), entry.address);
-        sink.push(super::finding(CODE, write.span(), text, WHY, HELP).related(fact, "the object"));
+        sink.push(
+            super::finding(CODE, write.span(), &format!("example {}", example.label()), text, WHY, HELP)
+                .related(fact, "the object"),
+        );
     }
 }
 

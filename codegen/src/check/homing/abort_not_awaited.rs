@@ -20,7 +20,7 @@ fn run(model: &Model, sink: &mut Sink) {
         let row = super::case_row(method, case);
         let text = format!("`{row}` waits for `{}`, which ends it with an error", abort.value);
         sink.push(
-            super::finding(CODE, case.moves.span(), text, WHY, HELP).related(abort.span(), "the abort"),
+            super::finding(CODE, case.moves.span(), &row, text, WHY, HELP).related(abort.span(), "the abort"),
         );
     }
 }

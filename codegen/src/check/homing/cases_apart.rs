@@ -22,7 +22,7 @@ fn run(model: &Model, sink: &mut Sink) {
                 other.when.value
             );
             sink.push(
-                super::finding(CODE, case.when.span(), text, WHY, HELP)
+                super::finding(CODE, case.when.span(), &super::case_row(method, case), text, WHY, HELP)
                     .related(other.when.span(), "the other start"),
             );
         }

@@ -22,7 +22,10 @@ fn run(model: &Model, sink: &mut Sink) {
     for (method, case) in super::cases(model).filter(|(_, case)| !super::settled(&case.moves)) {
         for (column, differs) in differences(method, case) {
             let text = format!("`{}` {differs}", super::case_row(method, case));
-            sink.push(super::finding(CODE, case.moves.span(), text, WHY, HELP).related(column, "the column"));
+            sink.push(
+                super::finding(CODE, case.moves.span(), &super::case_row(method, case), text, WHY, HELP)
+                    .related(column, "the column"),
+            );
         }
     }
 }

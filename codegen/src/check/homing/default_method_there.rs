@@ -21,5 +21,5 @@ fn run(model: &Model, sink: &mut Sink) {
     let none = |number: i128| number == 0 || super::has_method(model, number);
     let Some(default) = entry.default_int().filter(|default| !none(default.value)) else { return };
     let text = format!("`{}` defaults to {}, which is no method of the drive", entry.address, default.value);
-    sink.push(super::finding(CODE, default.span, text, WHY, HELP));
+    sink.push(super::finding(CODE, default.span, &entry.address, text, WHY, HELP));
 }

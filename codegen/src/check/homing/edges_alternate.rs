@@ -19,7 +19,7 @@ fn run(model: &Model, sink: &mut Sink) {
         let Some(step) = endless(&case.moves.value) else { continue };
         let row = super::case_row(method, case);
         let text = format!("`{row}` has `{step}` a second time before the switch could change back");
-        sink.push(super::finding(CODE, case.moves.span(), text, WHY, HELP));
+        sink.push(super::finding(CODE, case.moves.span(), &row, text, WHY, HELP));
     }
 }
 

@@ -14,7 +14,7 @@ pub(in crate::check) const LINT: Lint = Lint { code: CODE, page: include_str!("e
 fn run(model: &Model, sink: &mut Sink) {
     for (method, case) in super::cases(model).filter(|(_, case)| !ends_at_home(&case.moves.value.0)) {
         let text = format!("`{}` does not end at home: {}", super::case_row(method, case), case.moves.value);
-        sink.push(super::finding(CODE, case.moves.span(), text, WHY, HELP));
+        sink.push(super::finding(CODE, case.moves.span(), &super::case_row(method, case), text, WHY, HELP));
     }
 }
 

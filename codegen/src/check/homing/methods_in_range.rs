@@ -23,13 +23,13 @@ fn run(model: &Model, sink: &mut Sink) {
     let Some(allow) = super::unsettled(entry.allow.as_ref()) else { return };
     for value in allow.value.iter().filter(|value| **value != 0 && !super::has_method(model, **value)) {
         let text = format!("`{}` allows {value}, and the table `homing` has no such method", entry.address);
-        sink.push(super::finding(CODE, allow.span(), text, WHY, HELP));
+        sink.push(super::finding(CODE, allow.span(), &entry.address, text, WHY, HELP));
     }
 }
 
 fn outside(method: &HomingMethod) -> Diagnostic {
     let text = format!("`homing {}` is a method that 6098:00 does not take", method.number);
-    super::finding(CODE, method.status.span(), text, WHY, HELP)
+    super::finding(CODE, method.status.span(), &format!("homing {}", method.number), text, WHY, HELP)
 }
 
 /// The fact that excludes a value, where no erratum settles it.

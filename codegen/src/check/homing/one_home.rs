@@ -22,7 +22,7 @@ fn run(model: &Model, sink: &mut Sink) {
                 case.moves.value
             );
             sink.push(
-                super::finding(CODE, case.moves.span(), text, WHY, HELP)
+                super::finding(CODE, case.moves.span(), &super::case_row(method, case), text, WHY, HELP)
                     .related(other.moves.span(), "the other program"),
             );
         }

@@ -26,7 +26,7 @@ fn run(model: &Model, sink: &mut Sink) {
     if !differing.is_empty() && !settled {
         let text = format!("`{}` and 6060:00 disagree on mode {}", supported.address, differing.join(", "));
         sink.push(
-            super::finding(CODE, default.span(), text, WHY, HELP)
+            super::finding(CODE, default.span(), &supported.address, text, WHY, HELP)
                 .related(allow.span(), "the values of 6060h"),
         );
     }

@@ -33,7 +33,7 @@ fn run(model: &Model, sink: &mut Sink) {
     for (mode, objects) in COMMANDS.iter().filter(|(mode, _)| allow.value.contains(mode)) {
         for object in objects.iter().filter(|object| model.entry(**object).is_none()) {
             let text = format!("`6060:00` allows mode {mode}, and the drive has no {object}");
-            sink.push(super::finding(CODE, allow.span(), text, WHY, HELP));
+            sink.push(super::finding(CODE, allow.span(), &"6060:00", text, WHY, HELP));
         }
     }
 }

@@ -17,11 +17,14 @@ fn run(model: &Model, sink: &mut Sink) {
     let listed = |mode: i128| mode == 0 || model.modes.iter().any(|m| i128::from(m.number) == mode);
     for mode in allow.value.iter().filter(|mode| !listed(**mode)) {
         let text = format!("`6060:00` allows {mode}, and the table `modes` has no such mode");
-        sink.push(super::finding(CODE, allow.span(), text, WHY, HELP));
+        sink.push(super::finding(CODE, allow.span(), &"6060:00", text, WHY, HELP));
     }
     let allowed = |number: i8| allow.value.contains(&number.into());
     for mode in model.modes.iter().filter(|m| !allowed(m.number) && !super::settled(&m.name)) {
         let text = format!("`mode {}` is not among the values that 6060:00 allows", mode.number);
-        sink.push(super::finding(CODE, mode.name.span(), text, WHY, HELP).related(allow.span(), "these are"));
+        sink.push(
+            super::finding(CODE, mode.name.span(), &format!("mode {}", mode.number), text, WHY, HELP)
+                .related(allow.span(), "these are"),
+        );
     }
 }

@@ -16,7 +16,7 @@ fn run(model: &Model, sink: &mut Sink) {
     for (_, entry) in model.entries.iter() {
         if entry.handle.words().first().is_some_and(|w| w.starts_with(|c: char| c.is_ascii_digit())) {
             let text = format!("the name of `{}` is `{}`", entry.address, entry.handle);
-            sink.push(super::finding(CODE, entry.name.span(), text, WHY, HELP));
+            sink.push(super::finding(CODE, entry.name.span(), &entry.address, text, WHY, HELP));
         }
     }
 }

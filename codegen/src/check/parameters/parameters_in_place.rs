@@ -39,7 +39,7 @@ fn run(model: &Model, sink: &mut Sink) {
     let members: Vec<Member<'_>> = objects.iter().chain(&examples).filter_map(member).collect();
     for (place, wrong) in twice(&objects).into_iter().chain(out_of_place(&members)) {
         let text = format!("`{}` is {}, {wrong}", place.row, place.text);
-        sink.push(super::finding(CODE, place.span, text, WHY, HELP));
+        sink.push(super::finding(CODE, place.span, &place.row, text, WHY, HELP));
     }
 }
 

@@ -22,7 +22,7 @@ fn run(model: &Model, sink: &mut Sink) {
         };
         let text =
             format!("`{}` assigns {:04X}h, which is no PDO of its direction", entry.address, default.value);
-        sink.push(super::finding(CODE, default.span, text, WHY, HELP));
+        sink.push(super::finding(CODE, default.span, &entry.address, text, WHY, HELP));
     }
 }
 

@@ -23,7 +23,7 @@ fn run(model: &Model, sink: &mut Sink) {
                 entry.address
             );
             sink.push(
-                super::finding(CODE, mapped.bits.span(), text, WHY, HELP)
+                super::finding(CODE, mapped.bits.span(), &super::mapped_row(pdo, mapped), text, WHY, HELP)
                     .related(entry.ty.span(), "its type"),
             );
         }

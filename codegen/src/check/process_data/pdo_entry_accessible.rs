@@ -25,7 +25,7 @@ fn run(model: &Model, sink: &mut Sink) {
                 access.word()
             );
             sink.push(
-                super::finding(CODE, mapped.origin.span, text, WHY, HELP)
+                super::finding(CODE, mapped.origin.span, &super::mapped_row(pdo, mapped), text, WHY, HELP)
                     .related(entry.access.span(), "its access"),
             );
         }

@@ -21,7 +21,7 @@ fn run(model: &Model, sink: &mut Sink) {
             let text =
                 format!("`{}` carries {address}, whose mapping is {word}", super::mapped_row(pdo, mapped));
             sink.push(
-                super::finding(CODE, mapped.origin.span, text, WHY, HELP)
+                super::finding(CODE, mapped.origin.span, &super::mapped_row(pdo, mapped), text, WHY, HELP)
                     .related(entry.name.span(), "the entry"),
             );
         }

@@ -20,6 +20,6 @@ fn run(model: &Model, sink: &mut Sink) {
         let text =
             format!("with `{row}` PDO {:04X} has {bytes} bytes, more than the drive can map", pdo.index);
         let most = format!("at most {} bytes", limit.value);
-        sink.push(super::finding(CODE, last.origin.span, text, WHY, HELP).related(limit.span(), most));
+        sink.push(super::finding(CODE, last.origin.span, &row, text, WHY, HELP).related(limit.span(), most));
     }
 }

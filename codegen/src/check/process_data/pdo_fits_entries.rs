@@ -22,6 +22,9 @@ fn run(model: &Model, sink: &mut Sink) {
             pdo.index
         );
         let most = format!("at most {} entries", limit.value);
-        sink.push(super::finding(CODE, last.origin.span, text, WHY, HELP).related(limit.span(), most));
+        sink.push(
+            super::finding(CODE, last.origin.span, &super::mapped_row(pdo, last), text, WHY, HELP)
+                .related(limit.span(), most),
+        );
     }
 }

@@ -21,6 +21,6 @@ fn run(model: &Model, sink: &mut Sink) {
         let Some(last) = pdo.entries.last() else { continue };
         let row = super::mapped_row(pdo, last);
         let text = format!("with `{row}` PDO {:04X} has {} bits, more than {FRAME}", pdo.index, pdo.bits());
-        sink.push(super::finding(CODE, last.origin.span, text, WHY, HELP));
+        sink.push(super::finding(CODE, last.origin.span, &row, text, WHY, HELP));
     }
 }

@@ -23,7 +23,7 @@ fn run(model: &Model, sink: &mut Sink) {
                 pdo.entries.len(),
                 pdo.index
             );
-            sink.push(super::finding(CODE, last.origin.span, text, WHY, HELP));
+            sink.push(super::finding(CODE, last.origin.span, &super::mapped_row(pdo, last), text, WHY, HELP));
         }
     }
     for (pdo, mapped, entry) in super::mapped(model) {
@@ -34,7 +34,14 @@ fn run(model: &Model, sink: &mut Sink) {
                 "`{}` is {word:08X}h, and {object} defaults to {default:08X}h",
                 super::mapped_row(pdo, mapped)
             );
-            sink.push(super::finding(CODE, mapped.origin.span, text, WHY, HELP));
+            sink.push(super::finding(
+                CODE,
+                mapped.origin.span,
+                &super::mapped_row(pdo, mapped),
+                text,
+                WHY,
+                HELP,
+            ));
         }
     }
 }

@@ -20,7 +20,14 @@ fn run(model: &Model, sink: &mut Sink) {
                     "`{}` stands where position {expected} is expected",
                     super::mapped_row(pdo, mapped)
                 );
-                sink.push(super::finding(CODE, mapped.origin.span, text, WHY, HELP));
+                sink.push(super::finding(
+                    CODE,
+                    mapped.origin.span,
+                    &super::mapped_row(pdo, mapped),
+                    text,
+                    WHY,
+                    HELP,
+                ));
                 break;
             }
         }

@@ -22,7 +22,7 @@ fn run(model: &Model, sink: &mut Sink) {
             .filter_map(|object| Some(format!("{object} = {}", model.default_int(object)?)))
             .collect();
         let text = format!("`rule {}` does not hold with the defaults {}", rule.id, values.join(", "));
-        sink.push(super::finding(CODE, require.span(), text, WHY, HELP));
+        sink.push(super::finding(CODE, require.span(), &format!("rule {}", rule.id), text, WHY, HELP));
     }
 }
 

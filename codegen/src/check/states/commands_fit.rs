@@ -24,7 +24,7 @@ fn run(model: &Model, sink: &mut Sink) {
         } else {
             continue;
         };
-        sink.push(super::finding(CODE, command.value.span(), text, WHY, HELP));
+        sink.push(super::finding(CODE, command.value.span(), &format!("command {name}"), text, WHY, HELP));
     }
 }
 

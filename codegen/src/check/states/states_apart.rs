@@ -27,7 +27,14 @@ fn run(model: &Model, sink: &mut Sink) {
         } else {
             continue;
         };
-        sink.push(super::finding(CODE, state.value.span(), text, WHY, HELP));
+        sink.push(super::finding(
+            CODE,
+            state.value.span(),
+            &format!("state {}", state.name.value),
+            text,
+            WHY,
+            HELP,
+        ));
     }
 }
 

@@ -17,7 +17,7 @@ fn run(model: &Model, sink: &mut Sink) {
         let table = &model.enums[values.value];
         for value in allow.value.iter().filter(|v| table.values.iter().all(|named| named.value != **v)) {
             let text = format!("`{}` allows {value}, which `{}` does not name", entry.address, table.name);
-            sink.push(super::finding(CODE, allow.span(), text, WHY, HELP));
+            sink.push(super::finding(CODE, allow.span(), &entry.address, text, WHY, HELP));
         }
     }
 }

@@ -22,6 +22,13 @@ fn run(model: &Model, sink: &mut Sink) {
         };
         let text =
             format!("`enum {}={}` and its table say the same as `{}`", table.name, value.value, first.name);
-        sink.push(super::finding(CODE, value.name.span(), text, WHY, HELP));
+        sink.push(super::finding(
+            CODE,
+            value.name.span(),
+            &format!("enum {}={}", table.name, value.value),
+            text,
+            WHY,
+            HELP,
+        ));
     }
 }

@@ -20,6 +20,9 @@ fn run(model: &Model, sink: &mut Sink) {
         let Some(first) = seen.insert(pin.value, terminal) else { continue };
         let text = format!("`terminal {}` is on pin {}, as {} is", terminal.name, pin.value, first.name);
         let other = first.kind.span();
-        sink.push(super::finding(CODE, pin.span(), text, WHY, HELP).related(other, "the other one"));
+        sink.push(
+            super::finding(CODE, pin.span(), &format!("terminal {}", terminal.name), text, WHY, HELP)
+                .related(other, "the other one"),
+        );
     }
 }

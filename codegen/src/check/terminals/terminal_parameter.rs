@@ -21,6 +21,13 @@ fn run(model: &Model, sink: &mut Sink) {
         let parameter = super::unsettled(terminal.parameter.as_ref()).filter(unknown);
         let Some(parameter) = parameter else { continue };
         let text = format!("`terminal {}` names {}, which no object has", terminal.name, parameter.value);
-        sink.push(super::finding(CODE, parameter.span(), text, WHY, HELP));
+        sink.push(super::finding(
+            CODE,
+            parameter.span(),
+            &format!("terminal {}", terminal.name),
+            text,
+            WHY,
+            HELP,
+        ));
     }
 }

@@ -20,7 +20,7 @@ fn run(model: &Model, sink: &mut Sink) {
             if low || high || super::fits(entry.ty.value, *value) == Some(false) {
                 let text =
                     format!("allowed value {value} of `{}` is outside its range or type", entry.address);
-                sink.push(super::finding(CODE, allow.span(), text, WHY, HELP));
+                sink.push(super::finding(CODE, allow.span(), &entry.address, text, WHY, HELP));
             }
         }
     }

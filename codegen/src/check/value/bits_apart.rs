@@ -20,8 +20,15 @@ fn run(model: &Model, sink: &mut Sink) {
                     table.name, field.bit, earlier.bit, earlier.name.value
                 );
                 sink.push(
-                    super::finding(CODE, field.name.span(), text, WHY, HELP)
-                        .related(earlier.name.span(), "the other one"),
+                    super::finding(
+                        CODE,
+                        field.name.span(),
+                        &format!("bits {}.{}", table.name, field.bit),
+                        text,
+                        WHY,
+                        HELP,
+                    )
+                    .related(earlier.name.span(), "the other one"),
                 );
             }
         }

@@ -22,7 +22,8 @@ fn run(model: &Model, sink: &mut Sink) {
                 entry.address
             );
             sink.push(
-                super::finding(CODE, bits.span(), text, WHY, HELP).related(field.name.span(), "the bit"),
+                super::finding(CODE, bits.span(), &entry.address, text, WHY, HELP)
+                    .related(field.name.span(), "the bit"),
             );
         }
     }

@@ -18,7 +18,7 @@ fn run(model: &Model, sink: &mut Sink) {
             let text =
                 format!("default {} of `{}` is not among its allowed values", default.value, entry.address);
             sink.push(
-                super::finding(CODE, default.span, text, WHY, HELP)
+                super::finding(CODE, default.span, &entry.address, text, WHY, HELP)
                     .related(allow.span(), "the allowed values"),
             );
         }

@@ -19,7 +19,7 @@ fn run(model: &Model, sink: &mut Sink) {
         if let Some(limit) = below.or(above) {
             let text = format!("default {} of `{}` is outside its range", default.value, entry.address);
             sink.push(
-                super::finding(CODE, default.span, text, WHY, HELP)
+                super::finding(CODE, default.span, &entry.address, text, WHY, HELP)
                     .related(limit.span(), format!("the limit is {}", limit.value)),
             );
         }

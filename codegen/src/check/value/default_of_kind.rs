@@ -25,7 +25,8 @@ fn run(model: &Model, sink: &mut Sink) {
                 default.value, entry.address, entry.ty.value
             );
             sink.push(
-                super::finding(CODE, default.span(), text, WHY, HELP).related(entry.ty.span(), "the type"),
+                super::finding(CODE, default.span(), &entry.address, text, WHY, HELP)
+                    .related(entry.ty.span(), "the type"),
             );
         }
     }

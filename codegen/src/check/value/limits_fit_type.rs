@@ -20,7 +20,8 @@ fn run(model: &Model, sink: &mut Sink) {
                 let text =
                     format!("{word} {} of `{}` does not fit {}", limit.value, entry.address, entry.ty.value);
                 sink.push(
-                    super::finding(CODE, limit.span(), text, WHY, HELP).related(entry.ty.span(), "the type"),
+                    super::finding(CODE, limit.span(), &entry.address, text, WHY, HELP)
+                        .related(entry.ty.span(), "the type"),
                 );
             }
         }

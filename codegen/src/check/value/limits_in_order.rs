@@ -17,7 +17,10 @@ fn run(model: &Model, sink: &mut Sink) {
             && min.value > max.value
         {
             let text = format!("min {} of `{}` is above max {}", min.value, entry.address, max.value);
-            sink.push(super::finding(CODE, min.span(), text, WHY, HELP).related(max.span(), "the maximum"));
+            sink.push(
+                super::finding(CODE, min.span(), &entry.address, text, WHY, HELP)
+                    .related(max.span(), "the maximum"),
+            );
         }
     }
 }

@@ -27,7 +27,10 @@ fn run(model: &Model, sink: &mut Sink) {
         for (key, span) in facts.into_iter().filter(|_| !number) {
             let Some(span) = span else { continue };
             let text = format!("`{}` is of type {ty} and has `{key}`", entry.address);
-            sink.push(super::finding(CODE, span, text, WHY, HELP).related(entry.ty.span(), "the type"));
+            sink.push(
+                super::finding(CODE, span, &entry.address, text, WHY, HELP)
+                    .related(entry.ty.span(), "the type"),
+            );
         }
     }
 }

@@ -21,7 +21,7 @@ fn run(model: &Model, sink: &mut Sink) {
     for entry in entries.filter(|entry| entry.unit.is_none() && measures(entry.address)) {
         if !dropped(model, entry.address) {
             let text = format!("`{}` ({}) has no unit", entry.address, entry.name.value);
-            sink.push(super::finding(CODE, place(entry), text, WHY, HELP));
+            sink.push(super::finding(CODE, place(entry), &entry.address, text, WHY, HELP));
         }
     }
 }

@@ -21,7 +21,8 @@ fn run(model: &Model, sink: &mut Sink) {
                 named.name.value, named.value, entry.ty.value, entry.address
             );
             sink.push(
-                super::finding(CODE, values.span(), text, WHY, HELP).related(named.name.span(), "the value"),
+                super::finding(CODE, values.span(), &entry.address, text, WHY, HELP)
+                    .related(named.name.span(), "the value"),
             );
         }
     }
