@@ -7,6 +7,7 @@
 )]
 
 pub mod cases;
+pub mod drives;
 
 use std::fs::OpenOptions;
 use std::io::Write;

@@ -4,19 +4,18 @@
 
 #![allow(clippy::expect_used, clippy::panic, clippy::disallowed_methods, reason = "a test reads files")]
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use drivewright_codegen::audit::{Contradiction, Finding, Kind, audit, contradictions, facts_hash};
 use drivewright_codegen::facts::{FactLine, Table, facts};
 use drivewright_codegen::model::{Cite, Class};
 use drivewright_codegen::{Compiled, compile, load};
-use drivewright_tests::skipped;
+use drivewright_tests::{drives, skipped};
 
-const DRIVES: &[(&str, &str)] = &[("savch", "sdv3-e")];
 const CHANGES: usize = 500;
 
-/// The profile and the text of its manual.
-fn reading(vendor: &str, drive: &str) -> Option<(Compiled, String)> {
+/// The text of a drive's manual.
+fn manual(drive: &str) -> Option<String> {
     let Some(folder) = std::env::var_os("DRIVEWRIGHT_MANUALS") else {
         skipped(
             &format!("audit of {drive}"),
@@ -29,12 +28,15 @@ fn reading(vendor: &str, drive: &str) -> Option<(Compiled, String)> {
         skipped(&format!("audit of {drive}"), &format!("{} is not there", file.display()));
         return None;
     };
-    Some((profile(vendor, drive), text))
+    Some(text)
 }
 
-fn profile(vendor: &str, drive: &str) -> Compiled {
-    let folder: PathBuf = [env!("CARGO_MANIFEST_DIR"), "..", "profiles", vendor, drive].iter().collect();
-    compile(load::folder(&folder).sources)
+/// Every drive with its id.
+fn profiles() -> impl Iterator<Item = (String, Compiled)> {
+    drives::all().into_iter().map(|folder| {
+        let compiled = compile(load::folder(&folder).sources);
+        (compiled.model.as_ref().expect("a model").drive.id.clone(), compiled)
+    })
 }
 
 /// A sequence that is the same in every run.
@@ -135,8 +137,8 @@ fn provable(fact: &FactLine<'_>) -> bool {
 
 #[test]
 fn a_changed_fact_is_seen() {
-    for (vendor, drive) in DRIVES {
-        let Some((compiled, text)) = reading(vendor, drive) else { continue };
+    for (drive, compiled) in profiles() {
+        let Some(text) = manual(&drive) else { continue };
         let all = facts(compiled.model.as_ref().expect("a model"));
         let places: Vec<usize> = (0..all.len()).filter(|n| provable(&all[*n])).collect();
         let mut dice = Dice(2026);
@@ -159,8 +161,7 @@ fn a_changed_fact_is_seen() {
 /// Runs without the manuals: facts that changed need a new audit.
 #[test]
 fn the_record_is_of_these_facts() {
-    for (vendor, drive) in DRIVES {
-        let compiled = profile(vendor, drive);
+    for (drive, compiled) in profiles() {
         let model = compiled.model.as_ref().expect("a model");
         let [record] = compiled.rows.audited.as_slice() else { panic!("{drive} has no `audit.toml`") };
         assert_eq!(record.extract.value.0, model.manuals[0].sha256, "{drive}: another extract was audited");
@@ -171,8 +172,8 @@ fn the_record_is_of_these_facts() {
 
 #[test]
 fn nothing_is_open_and_the_record_has_the_counts() {
-    for (vendor, drive) in DRIVES {
-        let Some((compiled, text)) = reading(vendor, drive) else { continue };
+    for (drive, compiled) in profiles() {
+        let Some(text) = manual(&drive) else { continue };
         let all = facts(compiled.model.as_ref().expect("a model"));
         let report =
             audit(compiled.model.as_ref().expect("a model"), &all, &compiled.rows, "m1", &text).expect("it");
