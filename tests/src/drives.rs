@@ -5,7 +5,11 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The folder of every drive below `profiles/`, in path order. There is at least one.
+/// The folder of every drive below `profiles/`, in path order.
+///
+/// # Panics
+///
+/// Where there is none, or the folders cannot be read.
 pub fn all() -> Vec<PathBuf> {
     let profiles: PathBuf = [env!("CARGO_MANIFEST_DIR"), "..", "profiles"].iter().collect();
     let vendors = folders(&profiles).into_iter().filter(|v| !v.ends_with("standard"));

@@ -28,6 +28,22 @@ pub const ERROR_REGISTER: Object<bits::Errors, Ro, MapNotStated, Raw> = Object::
 pub const CYCLE: Object<u32, Rw, MapNotStated, Time> =
     Object::new(0x1006, 0x00).range(250, 100_000).scale(1, 1_000_000);
 
+// 1018h Identity
+
+/// Number of entries, `1018:00`: UNSIGNED8, ro, mapping not stated.
+///
+/// Default 1.
+/// Manual: 2 L3.
+#[doc(alias = "1018")]
+pub const NUMBER_OF_ENTRIES: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x00);
+
+/// Vendor id, `1018:01`: UNSIGNED32, ro, mapping not stated.
+///
+/// Default 0000ACEDh.
+/// Manual: 2 L3.
+#[doc(alias = "1018")]
+pub const VENDOR_ID: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x01);
+
 // 1C12h Assignment
 
 /// Assigned PDOs, `1C12:00`: UNSIGNED8, rw, mapping not stated.

@@ -16,10 +16,12 @@ pub static UNITS: [UnitDesc<'static>; 5] = [
 ];
 
 /// Entries of the dictionary, by address.
-pub static OBJECTS: [ObjectDesc<'static>; 14] = [
+pub static OBJECTS: [ObjectDesc<'static>; 16] = [
     ObjectDesc::new(Address::new(0x1000, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Device type").default_int(0x0002_0192),
     ObjectDesc::new(Address::new(0x1001, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Error register").default_int(0x11).bits(0),
     ObjectDesc::new(Address::new(0x1006, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Cycle").range(250, 100_000).unit(0),
+    ObjectDesc::new(Address::new(0x1018, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Number of entries").default_int(1),
+    ObjectDesc::new(Address::new(0x1018, 0x01), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Vendor id").default_int(0x0000_ACED),
     ObjectDesc::new(Address::new(0x1C12, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "Assigned PDOs").range(0, 1).default_int(1),
     ObjectDesc::new(Address::new(0x1C12, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Assigned PDO").range(0x1600, 0x1603).default_int(0x1600),
     ObjectDesc::new(Address::new(0x2000, 0x00), DataType::INTEGER32, Access::Rw, Mapping::Rx, "Speed").range(-60_000, 60_000).default_int(505).unit(1),
@@ -65,7 +67,8 @@ pub static PDOS: [PdoDesc<'static>; 1] = [
 
 /// The whole drive.
 pub static MODEL: DriveModel<'static> = DriveModel::new(
-    Identity::new("x1", "Acme", "X1"),
+    Identity::new("x1", "Acme", "X1")
+        .with_vendor_id(0x0000_ACED),
 )
 .with_objects(&OBJECTS)
 .with_units(&UNITS)
