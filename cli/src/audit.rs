@@ -11,8 +11,8 @@ use serde_json::json;
 
 use crate::End;
 use crate::arguments::AuditArguments;
-use crate::commands::{disk, print};
 use crate::drives::{Found, find};
+use crate::output::{disk, print};
 
 /// Names the folder of text extracts.
 const MANUALS: &str = "DRIVEWRIGHT_MANUALS";

@@ -1,6 +1,6 @@
 //! What each command does.
 
-use std::io::{IsTerminal, Write};
+use std::io::IsTerminal;
 use std::path::Path;
 
 use clap::CommandFactory;
@@ -12,6 +12,7 @@ use drivewright_codegen::sink::{self, Difference, SinkError, State};
 use drivewright_codegen::{Compiled, compile_folder, emit, schema};
 
 use crate::arguments::{Arguments, Command, Format};
+use crate::output::{disk, print};
 use crate::{End, audit, coverage};
 
 /// Runs the command.
@@ -34,19 +35,6 @@ pub(crate) fn run(arguments: &Arguments) -> End {
             print(&String::from_utf8_lossy(&script))
         }
     }
-}
-
-/// Prints `text`. A reader that has seen enough (`drivewright lints | head`) is no error.
-pub(crate) fn print(text: &str) -> End {
-    match std::io::stdout().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => disk(&error),
-        _ => End::Fine,
-    }
-}
-
-pub(crate) fn disk(error: &dyn std::fmt::Display) -> End {
-    eprintln!("error: {error}");
-    End::Disk
 }
 
 fn end(compiled: &Compiled) -> End {

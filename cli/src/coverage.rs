@@ -5,8 +5,8 @@ use drivewright_codegen::facts::facts;
 use serde_json::{Map, Value, json};
 
 use crate::End;
-use crate::commands::print;
 use crate::drives::{Found, all, find, open};
+use crate::output::print;
 
 pub(crate) fn run(drives: &[String], json: bool) -> End {
     let found: Result<Vec<Found>, End> = if drives.is_empty() {

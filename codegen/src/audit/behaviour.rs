@@ -1,7 +1,7 @@
 //! Evidence for homing, modes, states, commands, abort codes, terminals, the EtherCAT side, rules, examples and limits.
 
-use super::evidence::{Row, Words, holds_number, holds_word, names_parameter, same};
 use super::page::Line;
+use super::words::{Row, Words, holds_number, holds_word, names_parameter, same};
 use crate::facts::{FactLine, Table};
 
 pub(super) fn anchors(words: &Words<'_>, row: &Row<'_>, line: &Line) -> bool {

@@ -1,7 +1,8 @@
 //! Every place where a thing is printed, side by side, and what differs.
 
-use super::evidence::{Row, Words, printed, same};
+use super::evidence::printed;
 use super::page::{Line, Page};
+use super::words::{Row, Words, same};
 use super::{Manual, group};
 use crate::facts::{FactLine, Table};
 use crate::model::{Address, Model};

@@ -1,8 +1,8 @@
 //! Evidence for objects, values, bits, alarms and process data.
 
-use super::evidence::{Row, Words, holds_number, holds_word, names_parameter, same, same_letters};
 use super::number::{Number, Range, factor, keyed};
 use super::page::Line;
+use super::words::{Row, Words, holds_number, holds_word, names_parameter, same, same_letters};
 use crate::facts::FactLine;
 
 /// Index and sub-index of `object 607D:01`; no sub-index for an index as a whole.

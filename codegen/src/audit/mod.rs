@@ -12,6 +12,7 @@ mod evidence;
 mod number;
 mod page;
 mod record;
+mod words;
 
 pub use contradictions::{Contradiction, Place, contradictions};
 pub use record::{Record, facts_hash, text_hash};
@@ -21,8 +22,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::facts::{FactLine, Table};
 use crate::model::{Cite, Class, Model};
 use crate::rows::Rows;
-use evidence::{Row, Words};
 use page::Page;
+use words::{Row, Words};
 
 /// What the audit finds wrong.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]

@@ -1,6 +1,6 @@
 //! In what a row contradicts the standard object. What either of the two leaves open is no contradiction.
 
-use super::objects::Stated;
+use super::stated::Stated;
 use crate::model::{Access, Mapping, ObjectKind};
 use crate::rows::tables::ObjectRow;
 use crate::source::{Sp, Span};

@@ -9,6 +9,7 @@ mod names;
 mod objects;
 mod origin;
 mod process_data;
+mod stated;
 mod tables;
 
 use crate::diag::Sink;

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::contradiction;
 use super::names;
 use super::origin::Says;
+use super::stated::{BaseRow, Stated};
 use super::tables::Tables;
 use crate::diag::{Code, Diagnostic, Sink, code};
 use crate::limits;
@@ -25,27 +26,6 @@ pub(super) struct Resolved {
     pub(super) entries: Arena<EntryId, Entry>,
     pub(super) enums: Arena<EnumId, EnumDef>,
     pub(super) bits: Arena<BitsId, BitsDef>,
-}
-
-/// A row of a base, with the base's name.
-type BaseRow<'a> = (&'a str, &'a ObjectRow);
-
-/// Who may state a value, the most exact first.
-#[derive(Clone, Copy)]
-pub(super) struct Stated<'a> {
-    /// The drive's row for the address.
-    row: &'a ObjectRow,
-    /// The drive's row for a range that it refines.
-    range: Option<&'a ObjectRow>,
-    /// The base's row.
-    base: Option<BaseRow<'a>>,
-}
-
-impl<'a> Stated<'a> {
-    /// What the drive's rows state.
-    pub(super) fn own<T>(self, get: impl Fn(&'a ObjectRow) -> Option<&'a Sp<T>>) -> Option<&'a Sp<T>> {
-        get(self.row).or_else(|| self.range.and_then(get))
-    }
 }
 
 struct Resolver<'a, 's> {

@@ -3,7 +3,7 @@
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use super::lower::{known, maybe};
+use super::known::{known, maybe};
 use super::schema::{Field, Shape, Struct};
 use super::value::{Integer, Known, Word, shapes};
 use crate::model::{

@@ -1,13 +1,14 @@
 //! The model as the structs of [`super::shape`].
 
 use super::behaviour;
+use super::known::{known, maybe};
 use super::shape::{
     Alarm, BitField, Bits, Document, Drive, Entry, Enum, EnumValue, Erratum, Identity, Manual, Object, Pdo,
     PdoEntry, Unit,
 };
 use super::value::{Integer, Known, Word};
 use crate::facts::by_name;
-use crate::model::{self, Address, Class, Fact, Model, Origin, Value};
+use crate::model::{self, Address, Fact, Model, Value};
 use crate::name::{Case, Name};
 
 const ABOUT: &str = "Facts of the drive for other programs. Written by drivewright with `cargo xtask regen`: edit the profile, not this file.";
@@ -38,31 +39,6 @@ pub(super) fn document(model: &Model) -> Document<'_> {
         examples: model.examples.iter().map(|e| behaviour::example(model, e)).collect(),
         errata: model.errata.as_slice().iter().map(erratum).collect(),
     }
-}
-
-/// A value and who says it.
-pub(super) fn known<'m, T>(model: &'m Model, value: T, origin: &'m Origin) -> Known<'m, T> {
-    let detail = match &origin.class {
-        Class::Stated => None,
-        Class::Inferred(rule) => Some(("rule", rule.as_str())),
-        Class::Standard(base) => Some(("base", base.as_str())),
-        Class::Assumed(reason) => Some(("reason", reason.as_str())),
-    };
-    Known {
-        value,
-        class: origin.class.word(),
-        detail,
-        cite: origin.cite.as_ref().map(ToString::to_string),
-        erratum: origin.erratum.map(|id| model.errata[id].id.as_str()),
-    }
-}
-
-pub(super) fn maybe<'m, T, U>(
-    model: &'m Model,
-    fact: Option<&'m Fact<T>>,
-    value: impl Fn(&'m T) -> U,
-) -> Option<Known<'m, U>> {
-    fact.map(|f| known(model, value(&f.value), &f.origin))
 }
 
 fn handle(name: &Name) -> String {
