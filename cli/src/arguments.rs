@@ -25,8 +25,8 @@ pub(crate) enum Command {
     /// Checks a profile and reports every finding.
     #[command(after_help = "Example:\n  drivewright check profiles/savch/sdv3-e --format github")]
     Check {
-        /// The profile's folder.
-        folder: PathBuf,
+        /// Id of a drive below `profiles/`, or the profile's folder.
+        drive: String,
         /// How findings are printed.
         #[arg(long, value_enum, default_value_t)]
         format: Format,
@@ -36,15 +36,18 @@ pub(crate) enum Command {
                             drivewright build profiles/acme/x1 --out out --only eds,json\n  \
                             drivewright build profiles/acme/x1 --out out --check")]
     Build {
-        /// The profile's folder.
-        folder: PathBuf,
-        /// The folder to write: it will hold exactly what is built.
+        /// Id of a drive below `profiles/`, or the profile's folder.
+        drive: String,
+        /// The folder to write. Other files in it are left alone.
         #[arg(long)]
         out: PathBuf,
+        /// Remove every other file from that folder, so that it holds exactly what is built.
+        #[arg(long, conflicts_with = "only")]
+        prune: bool,
         /// Build only these formats.
         #[arg(long, value_delimiter = ',', value_parser = formats())]
         only: Vec<String>,
-        /// Write nothing; name every missing, changed and orphaned file, and end with 1 if there is one.
+        /// Write nothing; name every missing or changed file, with --prune every other one too, and end with 1 if there is one.
         #[arg(long)]
         check: bool,
         /// Write nothing; show what would change.

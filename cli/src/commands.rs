@@ -12,17 +12,22 @@ use drivewright_codegen::sink::{self, Difference, SinkError, State};
 use drivewright_codegen::{Compiled, compile_folder, emit, schema};
 
 use crate::arguments::{Arguments, Command, Format};
-use crate::output::{disk, print};
+use crate::drives::folder;
+use crate::output::{counted, disk, print};
 use crate::{End, audit, coverage};
 
 /// Runs the command.
 pub(crate) fn run(arguments: &Arguments) -> End {
     let quiet = arguments.quiet;
     match &arguments.command {
-        Command::Check { folder, format } => check(folder, *format, quiet),
-        Command::Build { folder, out, only, check, diff, format } => {
+        Command::Check { drive, format } => {
+            folder(drive).map_or_else(|end| end, |folder| check(&folder, *format, quiet))
+        }
+        Command::Build { drive, out, prune, only, check, diff, format } => {
             let mode = if *check { Mode::Check } else { Mode::Write };
-            build(folder, out, only, if *diff { Mode::Diff } else { mode }, *format, quiet)
+            let mode = if *diff { Mode::Diff } else { mode };
+            let to = Target { folder: out, prune: *prune, mode };
+            folder(drive).map_or_else(|end| end, |folder| build(&folder, &to, only, *format, quiet))
         }
         Command::Explain { code } => explain(code),
         Command::Audit(asked) => audit::run(asked, quiet),
@@ -95,7 +100,44 @@ enum Mode {
     Diff,
 }
 
-fn build(folder: &Path, out: &Path, only: &[String], mode: Mode, format: Format, quiet: bool) -> End {
+/// Where a build goes.
+struct Target<'a> {
+    folder: &'a Path,
+    /// Whether files that are not of the build go.
+    prune: bool,
+    mode: Mode,
+}
+
+impl Target<'_> {
+    fn deliver(&self, files: &FileSet) -> Result<Vec<Difference>, SinkError> {
+        match (self.mode, self.prune) {
+            (Mode::Write, true) => sink::write(files, self.folder),
+            (Mode::Write, false) => sink::add(files, self.folder),
+            _ => {
+                let mut found = sink::check(files, self.folder)?;
+                found.retain(|d| self.prune || d.state != State::Orphaned);
+                Ok(found)
+            }
+        }
+    }
+
+    /// Whether pruning would remove the profile itself.
+    fn holds(&self, profile: &Path) -> bool {
+        let whole = |path: &Path| path.canonicalize().ok();
+        let (Some(out), Some(profile)) = (whole(self.folder), whole(profile)) else { return false };
+        out.starts_with(&profile) || profile.starts_with(&out)
+    }
+}
+
+fn build(folder: &Path, to: &Target<'_>, only: &[String], format: Format, quiet: bool) -> End {
+    if to.prune && to.holds(folder) {
+        eprintln!(
+            "error: {} and the profile {} lie in one another: --prune would remove the profile; name another folder",
+            to.folder.display(),
+            folder.display()
+        );
+        return End::Usage;
+    }
     let (mut compiled, _) = compile_folder(folder);
     let Some(model) = compiled.sound().cloned() else {
         show(&compiled, folder, format, quiet);
@@ -114,17 +156,14 @@ fn build(folder: &Path, out: &Path, only: &[String], mode: Mode, format: Format,
         eprintln!("nothing was written");
         return End::Findings;
     }
-    match deliver(&files, out, mode) {
-        Ok(found) => told(&files, out, &found, mode, quiet),
+    match to.deliver(&files) {
+        Ok(found) => told(&files, to, &found, quiet),
         Err(error) => disk(&error),
     }
 }
 
-fn deliver(files: &FileSet, out: &Path, mode: Mode) -> Result<Vec<Difference>, SinkError> {
-    if mode == Mode::Write { sink::write(files, out) } else { sink::check(files, out) }
-}
-
-fn told(files: &FileSet, out: &Path, found: &[Difference], mode: Mode, quiet: bool) -> End {
+fn told(files: &FileSet, to: &Target<'_>, found: &[Difference], quiet: bool) -> End {
+    let (out, mode) = (to.folder, to.mode);
     let place = out.display().to_string().replace('\\', "/");
     for difference in found.iter().filter(|_| mode != Mode::Write) {
         println!("{}: {place}/{}", difference.state.word(), difference.path);
@@ -135,10 +174,9 @@ fn told(files: &FileSet, out: &Path, found: &[Difference], mode: Mode, quiet: bo
     if !quiet {
         let gone = found.iter().filter(|d| d.state == State::Orphaned).count();
         let rest = found.len() - gone;
-        match mode {
-            Mode::Write => println!("{place}: {} files, {rest} written, {gone} removed", files.len()),
-            _ => println!("{place}: {} files, {rest} would be written, {gone} removed", files.len()),
-        }
+        let would = if mode == Mode::Write { "" } else { "would be " };
+        let pruned = if to.prune { format!(", {gone} {would}removed") } else { String::new() };
+        println!("{place}: {}, {rest} {would}written{pruned}", counted(files.len(), "file"));
     }
     if mode == Mode::Check && !found.is_empty() { End::Findings } else { End::Fine }
 }

@@ -28,23 +28,25 @@ pub(crate) fn all() -> Vec<PathBuf> {
     vendors.flat_map(|vendor| folders(&vendor)).collect()
 }
 
-/// The profile that `named` is the id or the folder of. What is wrong is said.
-pub(crate) fn find(named: &str) -> Result<Found, End> {
+/// The folder of the profile that `named` is the id or the folder of. What is wrong is said.
+pub(crate) fn folder(named: &str) -> Result<PathBuf, End> {
     let folder = Path::new(named);
-    let folder = if folder.is_dir() {
-        folder.to_owned()
-    } else {
-        let known = all();
-        let Some(folder) = known.iter().find(|p| p.file_name().is_some_and(|n| n == named)) else {
-            let ids: Vec<_> =
-                known.iter().filter_map(|p| p.file_name()).map(|n| n.to_string_lossy()).collect();
-            let known = if ids.is_empty() { "none below `profiles/`".to_owned() } else { ids.join(", ") };
-            eprintln!("error: there is no drive or folder `{named}`; known: {known}");
-            return Err(End::Usage);
-        };
-        folder.clone()
-    };
-    open(folder)
+    if folder.is_dir() {
+        return Ok(folder.to_owned());
+    }
+    let known = all();
+    if let Some(folder) = known.iter().find(|p| p.file_name().is_some_and(|n| n == named)) {
+        return Ok(folder.clone());
+    }
+    let ids: Vec<_> = known.iter().filter_map(|p| p.file_name()).map(|n| n.to_string_lossy()).collect();
+    let known = if ids.is_empty() { "none below `profiles/` here".to_owned() } else { ids.join(", ") };
+    eprintln!("error: there is no drive or folder `{named}`; known drives: {known}");
+    Err(End::Usage)
+}
+
+/// The profile that `named` is the id or the folder of, compiled. What is wrong is said.
+pub(crate) fn find(named: &str) -> Result<Found, End> {
+    folder(named).and_then(open)
 }
 
 /// Compiles the profile in `folder`.

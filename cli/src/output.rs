@@ -17,3 +17,8 @@ pub(crate) fn disk(error: &dyn std::fmt::Display) -> End {
     eprintln!("error: {error}");
     End::Disk
 }
+
+/// A number of things, with the plural where it is one.
+pub(crate) fn counted(n: usize, one: &str) -> String {
+    if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") }
+}

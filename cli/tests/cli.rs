@@ -78,6 +78,30 @@ fn only_the_formats_asked_for_are_built() {
 }
 
 #[test]
+fn other_files_stay_unless_pruning_is_asked_for() {
+    let at = folder("prune", &drive());
+    fs::create_dir(at.join("o")).expect("a folder");
+    fs::write(at.join("o/thesis.txt"), "years of work").expect("a file");
+    assert_eq!(code(&run(&at, &["build", "profile", "--out", "o"])), 0);
+    assert_eq!(code(&run(&at, &["build", "profile", "--out", "o", "--check"])), 0);
+    assert!(at.join("o/thesis.txt").exists());
+    let checked = run(&at, &["build", "profile", "--out", "o", "--check", "--prune"]);
+    assert_eq!((code(&checked), out(&checked).lines().next()), (1, Some("orphaned: o/thesis.txt")));
+    assert_eq!(code(&run(&at, &["build", "profile", "--out", "o", "--prune"])), 0);
+    assert!(!at.join("o/thesis.txt").exists() && at.join("o/map.txt").exists());
+}
+
+#[test]
+fn pruning_never_takes_the_profile() {
+    let at = folder("prune-profile", &drive());
+    for out in ["profile", ".", "profile/out"] {
+        fs::create_dir_all(at.join(out)).expect("a folder");
+        assert_eq!(code(&run(&at, &["build", "profile", "--out", out, "--prune"])), 2, "{out}");
+        assert!(at.join("profile/drive.toml").exists() && !at.join(out).join("map.txt").exists());
+    }
+}
+
+#[test]
 fn findings_have_their_place_in_every_format() {
     let at = folder("unsound", &drive().replace("default = 5", "default = 70000"));
     let human = run(&at, &["check", "profile"]);
@@ -100,7 +124,9 @@ fn findings_have_their_place_in_every_format() {
 #[test]
 fn what_is_not_there_is_the_disk_and_what_is_not_meant_is_usage() {
     let at = folder("missing", &drive());
-    assert_eq!(code(&run(&at, &["check", "nowhere"])), 3);
+    assert_eq!(code(&run(&at, &["check", "nowhere"])), 2, "neither a drive nor a folder");
+    fs::create_dir(at.join("empty")).expect("a folder");
+    assert_eq!(code(&run(&at, &["check", "empty"])), 3);
     assert_eq!(code(&run(&at, &["chekc", "profile"])), 2);
     assert_eq!(code(&run(&at, &["explain", "E9999"])), 2);
     assert_eq!(code(&run(&at, &["--help"])), 0);

@@ -1,7 +1,7 @@
 //! Brings a [`FileSet`] to disk, or compares it with what is there. One of the few modules that touch the file system.
 //!
 //! Each file is written beside its place and moved there, so an interruption leaves it old or new. Files below the
-//! folder that the set does not have are orphans and go. Links are never followed.
+//! folder that the set does not have are orphans: [`write()`] removes them, [`add`] leaves them. Links are never followed.
 
 #![allow(clippy::disallowed_methods, reason = "this module writes files for all others")]
 
@@ -105,18 +105,32 @@ fn plain(place: &Path) -> io::Result<Option<Vec<u8>>> {
 /// Makes `folder` hold exactly `files`; returns what differed. Files that are already right are not touched.
 pub fn write(files: &FileSet, folder: &Path) -> Result<Vec<Difference>, SinkError> {
     let found = check(files, folder)?;
+    bring(files, folder, &found)?;
+    remove_empty_folders(folder)?;
+    Ok(found)
+}
+
+/// Brings `files` to `folder` and leaves every other file there alone, but for what an interrupted run left behind.
+pub fn add(files: &FileSet, folder: &Path) -> Result<Vec<Difference>, SinkError> {
+    let mut found = check(files, folder)?;
+    let leftover = |path: &str| path.strip_suffix(UNFINISHED).is_some_and(|of| files.get(of).is_some());
+    found.retain(|d| d.state != State::Orphaned || leftover(&d.path));
+    bring(files, folder, &found)?;
+    Ok(found)
+}
+
+fn bring(files: &FileSet, folder: &Path, found: &[Difference]) -> Result<(), SinkError> {
     // Leftovers of an interrupted run go first: a new unfinished file may want the same name.
     for orphan in found.iter().filter(|d| d.state == State::Orphaned) {
         let place = folder.join(&orphan.path);
         fs::remove_file(&place).map_err(failed("remove", &place))?;
     }
-    for difference in &found {
+    for difference in found {
         if let Some(bytes) = files.get(&difference.path) {
             replace(&folder.join(&difference.path), bytes)?;
         }
     }
-    remove_empty_folders(folder)?;
-    Ok(found)
+    Ok(())
 }
 
 /// Writes one file, whole or not at all, unless it holds these bytes already.

@@ -8,6 +8,9 @@ use crate::facts::{FactLine, Table};
 use crate::model::{Address, Model};
 use crate::rows::Rows;
 
+/// What stands for the value of a key that the profile does not have; only an erratum of another key can explain it.
+const NOT_STATED: &str = "not stated";
+
 /// A place where a row is printed.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Place {
@@ -108,7 +111,7 @@ impl Comparison<'_> {
                 let printed = self.page.line(*number).and_then(printed)?;
                 Some(Place { line: *number, printed: Some(printed) })
             };
-            self.note(row, field, "not stated", lines.iter().filter_map(place).collect(), found);
+            self.note(row, field, NOT_STATED, lines.iter().filter_map(place).collect(), found);
         }
     }
 
@@ -168,7 +171,7 @@ impl Comparison<'_> {
             let cites = std::iter::once(&e.seen).chain(&e.by);
             let lines: Vec<u32> = cites.flat_map(|c| self.of.lines(c)).collect();
             super::evidence::row_of_erratum(&e.at, self.facts) == key
-                && (e.field == field || column(&e.field).is_some() && column(&e.field) == column(field))
+                && (e.field == field || value == NOT_STATED && column(&e.field) == column(field))
                 && places.iter().all(|p| lines.contains(&p.line))
         };
         let errata = self.model.errata.as_slice().iter().filter(settles).map(|e| e.id.clone()).collect();

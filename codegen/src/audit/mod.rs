@@ -255,6 +255,7 @@ impl Auditor<'_> {
             let Some(row) = rows.get(&key) else { continue };
             let fact = evidence::printed(row, erratum);
             let key = format!("erratum {}", erratum.id);
+            self.not_blank(&key, std::iter::once(&erratum.seen).chain(&erratum.by));
             for line in self.of.lines(&erratum.seen) {
                 let shown = self.page.line(line).is_some_and(|l| {
                     if evidence::is_worded(&fact) {
@@ -268,6 +269,16 @@ impl Auditor<'_> {
                 } else {
                     self.finding(Kind::Unproved, &key, &format!("was L{line}"), &erratum.was);
                 }
+            }
+        }
+    }
+
+    /// A citation that hits a blank line is off by some.
+    fn not_blank<'c>(&mut self, at: &str, cites: impl Iterator<Item = &'c Cite>) {
+        let lines: Vec<u32> = cites.flat_map(|cite| self.of.lines(cite)).collect();
+        for line in lines {
+            if self.page.line(line).is_none_or(|l| l.text.trim().is_empty()) {
+                self.finding(Kind::IdleLine, at, &format!("L{line}"), "the line is blank");
             }
         }
     }

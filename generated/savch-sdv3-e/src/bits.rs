@@ -20,9 +20,9 @@ bit_field! {
         FAULT_RESET: 7,
         /// Halt. Printed as reserved. (4.1.2 L315)
         HALT: 8,
-        /// New set point, in mode 1. A rising edge hands over the target. (4.2 L441)
+        /// New set point, in mode 1. A rising edge hands over the target; with bit 5 = 0 only when the positioning is completed. Whether an edge before that is kept or lost is not printed. (4.2 L441)
         PP_NEW_SET_POINT: 4,
-        /// Change set immediately, in mode 1. 1: the new target takes effect at once, also while the axis moves. 0: it takes effect when the present positioning is done. (4.2 L440 L441)
+        /// Change set immediately, in mode 1. 1: the new target takes effect at once, also while the axis moves. 0: not before the present positioning is done. (4.2 L440 L441)
         PP_CHANGE_SET_IMMEDIATELY: 5,
         /// ABS/INC, in mode 1. 1: the target is absolute. 0: it is an increment. (4.2 L439)
         ///

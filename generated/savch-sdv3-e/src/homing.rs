@@ -18,7 +18,7 @@ pub const METHOD_0: HomingDesc<'static> = HomingDesc::new(0)
 /// - From `negative_limit on`: `+ slow until negative_limit off; + slow until index; latch`.
 ///
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L561.
 pub const METHOD_1: HomingDesc<'static> = HomingDesc::new(1)
     .with_start(HomingStart::Negative)
@@ -51,7 +51,7 @@ pub const METHOD_1: HomingDesc<'static> = HomingDesc::new(1)
 /// - From `positive_limit on`: `- slow until positive_limit off; - slow until index; latch`.
 ///
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L562.
 pub const METHOD_2: HomingDesc<'static> = HomingDesc::new(2)
     .with_start(HomingStart::Positive)
@@ -85,7 +85,7 @@ pub const METHOD_2: HomingDesc<'static> = HomingDesc::new(2)
 ///
 /// Note: What a limit switch on the way does is not printed.
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L563.
 pub const METHOD_3: HomingDesc<'static> = HomingDesc::new(3)
     .with_start(HomingStart::BySwitch)
@@ -120,7 +120,7 @@ pub const METHOD_3: HomingDesc<'static> = HomingDesc::new(3)
 ///
 /// Note: What a limit switch on the way does is not printed.
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L564 L563, 4.4 L564.
 pub const METHOD_4: HomingDesc<'static> = HomingDesc::new(4)
     .with_start(HomingStart::BySwitch)
@@ -155,7 +155,7 @@ pub const METHOD_4: HomingDesc<'static> = HomingDesc::new(4)
 ///
 /// Note: What a limit switch on the way does is not printed.
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L565 L563, 4.4 L565.
 pub const METHOD_5: HomingDesc<'static> = HomingDesc::new(5)
     .with_start(HomingStart::BySwitch)
@@ -190,7 +190,7 @@ pub const METHOD_5: HomingDesc<'static> = HomingDesc::new(5)
 ///
 /// Note: What a limit switch on the way does is not printed.
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L566 L563, 4.4 L566.
 pub const METHOD_6: HomingDesc<'static> = HomingDesc::new(6)
     .with_start(HomingStart::BySwitch)
@@ -239,7 +239,7 @@ pub const METHOD_8: HomingDesc<'static> = HomingDesc::new(8)
 ///
 /// Note: What a limit switch on the way does is not printed.
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L569.
 pub const METHOD_9: HomingDesc<'static> = HomingDesc::new(9)
     .with_start(HomingStart::Positive)
@@ -276,7 +276,7 @@ pub const METHOD_9: HomingDesc<'static> = HomingDesc::new(9)
 ///
 /// Note: What a limit switch on the way does is not printed.
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L570.
 pub const METHOD_10: HomingDesc<'static> = HomingDesc::new(10)
     .with_start(HomingStart::Positive)
@@ -325,7 +325,7 @@ pub const METHOD_12: HomingDesc<'static> = HomingDesc::new(12)
 ///
 /// Note: What a limit switch on the way does is not printed.
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L573.
 pub const METHOD_13: HomingDesc<'static> = HomingDesc::new(13)
     .with_start(HomingStart::Negative)
@@ -362,7 +362,7 @@ pub const METHOD_13: HomingDesc<'static> = HomingDesc::new(13)
 ///
 /// Note: What a limit switch on the way does is not printed.
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L574.
 pub const METHOD_14: HomingDesc<'static> = HomingDesc::new(14)
     .with_start(HomingStart::Negative)
@@ -408,7 +408,7 @@ pub const METHOD_16: HomingDesc<'static> = HomingDesc::new(16)
 /// - From `negative_limit on`: `+ slow until negative_limit off; latch`.
 ///
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L576.
 pub const METHOD_17: HomingDesc<'static> = HomingDesc::new(17)
     .with_start(HomingStart::Negative)
@@ -438,7 +438,7 @@ pub const METHOD_17: HomingDesc<'static> = HomingDesc::new(17)
 /// - From `positive_limit on`: `- slow until positive_limit off; latch`.
 ///
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L577.
 pub const METHOD_18: HomingDesc<'static> = HomingDesc::new(18)
     .with_start(HomingStart::Positive)
@@ -469,7 +469,7 @@ pub const METHOD_18: HomingDesc<'static> = HomingDesc::new(18)
 ///
 /// Note: What a limit switch on the way does is not printed.
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L578.
 pub const METHOD_19: HomingDesc<'static> = HomingDesc::new(19)
     .with_start(HomingStart::BySwitch)
@@ -501,7 +501,7 @@ pub const METHOD_19: HomingDesc<'static> = HomingDesc::new(19)
 ///
 /// Note: What a limit switch on the way does is not printed.
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L581 L578, 4.4 L581.
 pub const METHOD_20: HomingDesc<'static> = HomingDesc::new(20)
     .with_start(HomingStart::BySwitch)
@@ -533,7 +533,7 @@ pub const METHOD_20: HomingDesc<'static> = HomingDesc::new(20)
 ///
 /// Note: What a limit switch on the way does is not printed.
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L582 L578, 4.4 L582.
 pub const METHOD_21: HomingDesc<'static> = HomingDesc::new(21)
     .with_start(HomingStart::BySwitch)
@@ -565,7 +565,7 @@ pub const METHOD_21: HomingDesc<'static> = HomingDesc::new(21)
 ///
 /// Note: What a limit switch on the way does is not printed.
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L583 L578, 4.4 L583.
 pub const METHOD_22: HomingDesc<'static> = HomingDesc::new(22)
     .with_start(HomingStart::BySwitch)
@@ -611,7 +611,7 @@ pub const METHOD_24: HomingDesc<'static> = HomingDesc::new(24)
 ///
 /// Note: What a limit switch on the way does is not printed.
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L586.
 pub const METHOD_25: HomingDesc<'static> = HomingDesc::new(25)
     .with_start(HomingStart::Positive)
@@ -645,7 +645,7 @@ pub const METHOD_25: HomingDesc<'static> = HomingDesc::new(25)
 ///
 /// Note: What a limit switch on the way does is not printed.
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L587.
 pub const METHOD_26: HomingDesc<'static> = HomingDesc::new(26)
     .with_start(HomingStart::Positive)
@@ -691,7 +691,7 @@ pub const METHOD_28: HomingDesc<'static> = HomingDesc::new(28)
 ///
 /// Note: What a limit switch on the way does is not printed.
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L590.
 pub const METHOD_29: HomingDesc<'static> = HomingDesc::new(29)
     .with_start(HomingStart::Negative)
@@ -725,7 +725,7 @@ pub const METHOD_29: HomingDesc<'static> = HomingDesc::new(29)
 ///
 /// Note: What a limit switch on the way does is not printed.
 /// The start is inferred: the starts that the sequence tells apart.
-/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side.
+/// The program is inferred: the sequence of CiA 402 for this start, signal, edge and side; the last approach is slow.
 /// Manual: 4.4 L591.
 pub const METHOD_30: HomingDesc<'static> = HomingDesc::new(30)
     .with_start(HomingStart::Negative)
@@ -779,6 +779,8 @@ pub const METHOD_34: HomingDesc<'static> = HomingDesc::new(34)
 /// - From `standstill`: `latch`.
 ///
 /// Presets the position where the axis stands; a homing error unless the speed is in the zero range.
+/// Note: The axis may still turn within the zero speed range; which value bounds it is not printed.
+/// The start is inferred: the zero speed range of note 1, taken as standstill.
 /// The program is inferred: a preset takes the place where the axis stands.
 /// Manual: 4.4 L593 L597 L552.
 pub const METHOD_35: HomingDesc<'static> = HomingDesc::new(35)

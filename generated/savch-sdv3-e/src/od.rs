@@ -4994,7 +4994,7 @@ pub const STATUS_WORD: Object<bits::Statusword, Ro, Tx, Raw> = Object::new(0x604
 /// Quickstop Option Code, `605A:00`: INTEGER16, rw, not mapped.
 ///
 /// Only 0 (Disable drive function), 1 (Slow down ramp), 5 (Slow down ramp and stay); default 0.
-/// Note: Printed as Quick stop Option Code in 4.2.
+/// Note: Printed as Quick stop Option Code in 4.2. What the values do is not printed; in CiA 402 0 switches off and lets the axis coast.
 /// Manual: 6.2 T6-2 L1211.
 ///
 /// Erratum E034, name: printed "Quickstop Option Code". 4.2 has Quick stop Option Code. Kept; the two differ by a space and a capital.
@@ -5055,7 +5055,7 @@ pub const POSITION_ACTUAL_VALUE: Object<i32, Ro, Tx, UserPosition> = Object::new
 ///
 /// Erratum E027, max: printed 104857600. As for E026. The text extract has a space before the last 0; without it the number is 100 times 2^20, which fits the 100.0 of 4.2. Kept.
 ///
-/// Erratum E028, default: printed 1966080. 4.2 and 4.3 have 15: 1.5 revolutions as a count of their unit, 15.0 if the default is printed in revolutions as for E007. 1966080 is 15 times 2^17. Kept.
+/// Erratum E028, default: printed 1966080. 4.2 and 4.3 have 15: 1.5 revolutions as a count of their unit, 15.0 if it is printed in revolutions like the range beside it. 1966080 is 15 times 2^17, so the second is meant. Kept.
 #[doc(alias = "6065")]
 pub const MAXIMAL_FOLLOWING_ERROR: Object<u32, Rw, RxTx, Raw> =
     Object::new(0x6065, 0x00).range(100, 104_857_600);
@@ -5072,7 +5072,7 @@ pub const POSITION_WINDOW: Object<u32, Rw, RxTx, UserPosition> =
 /// Velocity Demand Value, `606B:00`: INTEGER32, ro, TxPDO.
 ///
 /// In 0.1 rpm; -60000 to 60000 (-6000 to 6000 rpm); default 0.
-/// Note: The range is one cell for 606B and 606C, printed in two parts (L1219, L1220); 4.5 and 4.6 print none (L628, L676). The unit can be switched by P4.15 (L151).
+/// Note: The range is one cell for 606B and 606C, printed in two parts (L1219, L1220); 4.5 and 4.6 print none (L628, L676). A parameter switches the unit (L1261), by its name P4.15 (L151).
 /// Manual: 6.2 T6-2 L1219 L1220.
 ///
 /// Erratum E035, unit: printed "0.1 rpm". As for E013. Kept.
@@ -5083,7 +5083,7 @@ pub const VELOCITY_DEMAND_VALUE: Object<i32, Ro, Tx, Velocity> =
 /// Velocity Actual Value, `606C:00`: INTEGER32, ro, TxPDO.
 ///
 /// In 0.1 rpm; -60000 to 60000 (-6000 to 6000 rpm); default 0.
-/// Note: The range is one cell for 606B and 606C, printed in two parts (L1219, L1220); 4.5 and 4.6 print none (L629, L677). The unit can be switched by P4.15 (L151).
+/// Note: The range is one cell for 606B and 606C, printed in two parts (L1219, L1220); 4.5 and 4.6 print none (L629, L677). A parameter switches the unit (L1261), by its name P4.15 (L151).
 /// Manual: 6.2 T6-2 L1219 L1220.
 ///
 /// Erratum E013, unit: printed "0.1 rpm". P4.15 calls the format that it has by default r/min, the tables 0.1 r/min. Kept; which one the drive counts in should be tried at low speed.
@@ -5170,7 +5170,7 @@ pub const TARGET_POSITION: Object<i32, Rw, RxTx, UserPosition> =
 ///
 /// Erratum E029, min: printed 0. The object is signed, and CiA 402 lets the offset point both ways; a lost sign or a real limit would look the same. Kept.
 ///
-/// Erratum E030, default: printed 1000. An offset that is not 0 as delivered is unusual: it moves the zero of every homing. Both places print it. Kept.
+/// Erratum E030, default: printed 1000. An offset that is not 0 as delivered is unusual. What the drive does with it after homing is not printed: in CiA 402 it shifts the zero; the column Homing offset position of 4.4 (L560) may mean that the axis moves on by it. Both places print 1000. Kept.
 #[doc(alias = "607C")]
 pub const HOME_OFFSET: Object<i32, Rw, RxTx, UserPosition> =
     Object::new(0x607C, 0x00).range(0, 2_000_000_000);
@@ -5213,7 +5213,7 @@ pub const MAX_POSITION_LIMIT: Object<i32, Rw, RxTx, UserPosition> =
 /// Maximal Profile Velocity, `607F:00`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
 /// In 0.1 rpm; to 60000 (to 6000 rpm); default 30000 (3000 rpm).
-/// Note: The range is printed as one value, the upper limit. Range and default are printed in r/min. The unit can be switched by P4.15 (L151).
+/// Note: The range is printed as one value, the upper limit. Range and default are printed in r/min. A parameter switches the unit (L1261), by its name P4.15 (L151).
 /// Manual: 6.2 T6-2 L1234.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
@@ -5241,7 +5241,7 @@ pub const MAXIMAL_MOTOR_SPEED: Object<u32, Rw, RxTx, Velocity> =
 /// Profile Velocity, `6081:00`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
 /// In 0.1 rpm; 0 to 60000 (0 to 6000 rpm); default 0.
-/// Note: The unit can be switched by P4.15 (L151).
+/// Note: A parameter switches the unit (L1261), by its name P4.15 (L151).
 /// Manual: 6.2 T6-2 L1236.
 /// Manual, the minimum: 6.2 T6-2 L1236, 4.2 L424.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
@@ -5336,24 +5336,24 @@ pub const HOMING_SPEEDS: Object<u8, Ro, Unmapped, Raw> = Object::new(0x6099, 0x0
 
 /// Homing Speed for Switch Search, `6099:01`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
-/// In 0.1 rpm; 1 to 60000 (0.1 to 6000 rpm); default 500 (50 rpm).
+/// In 0.1 rpm; 1 to 60000 (0.1 to 6000 rpm).
 /// Note: The range is printed in r/min, the default without a decimal point: see E007.
 /// Manual: 6.2 T6-2 L1245.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E007, default: printed 500. The range is printed with a decimal point in r/min, the default without one. Read as counts of 0.1 r/min, the unit of the row: 50.0 r/min. But 607F and 6080, in the same unit, print theirs in r/min (3000.0); read that way it is 500.0 r/min, ten times as fast. Kept, the slower of the two; read it from the drive.
+/// Erratum E007, default: printed 500, dropped. The range is printed with a decimal point in r/min, the default without one. Read as counts of 0.1 r/min, the unit of the row, it is 50.0 r/min; read in r/min, as 607F and 6080 print theirs (3000.0) and as 4.2 must mean its 15 for 6065 (E028), it is 500.0 r/min, ten times as fast. Dropped: nobody should expect the slower one; read it from the drive.
 #[doc(alias = "6099")]
 pub const HOMING_SPEED_FOR_SWITCH_SEARCH: Object<u32, Rw, RxTx, Velocity> =
     Object::new(0x6099, 0x01).range(1, 60_000).scale(1, 10);
 
 /// Homing Speed for Zero Search, `6099:02`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
-/// In 0.1 rpm; 1 to 60000 (0.1 to 6000 rpm); default 50 (5 rpm).
+/// In 0.1 rpm; 1 to 60000 (0.1 to 6000 rpm).
 /// Note: The range is printed in r/min, the default without a decimal point: see E008.
 /// Manual: 6.2 T6-2 L1246.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E008, default: printed 50. As for E007: 5.0 r/min, or 50.0 r/min. Kept.
+/// Erratum E008, default: printed 50, dropped. As for E007: 5.0 r/min, or 50.0 r/min. Dropped.
 #[doc(alias = "6099")]
 pub const HOMING_SPEED_FOR_ZERO_SEARCH: Object<u32, Rw, RxTx, Velocity> =
     Object::new(0x6099, 0x02).range(1, 60_000).scale(1, 10);
@@ -5463,7 +5463,7 @@ pub const POSITION_DEMAND_PULSE_VALUE: Object<i32, Ro, Tx, Counts> = Object::new
 /// Target Velocity, `60FF:00`: INTEGER32, rw, RxPDO and TxPDO.
 ///
 /// In 0.1 rpm; -60000 to 60000 (-6000 to 6000 rpm); default 0.
-/// Note: The unit can be switched by P4.15 (L151).
+/// Note: A parameter switches the unit (L1261), by its name P4.15 (L151).
 /// Manual: 6.2 T6-2 L1258.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///

@@ -117,7 +117,9 @@ fn row() -> impl Strategy<Value = Row> {
 }
 
 fn drive() -> impl Strategy<Value = Drive> {
-    let index = prop_oneof![0x1000..=0x1FFF_u16, 0x2000..=0x5FFF_u16, 0x6000..=0xFFFF_u16];
+    // 1C12h and 1C13h assign PDOs, which these drives do not have.
+    let index =
+        prop_oneof![0x1000..=0x1C11_u16, 0x1C14..=0x1FFF_u16, 0x2000..=0x5FFF_u16, 0x6000..=0xFFFF_u16];
     let several = (btree_map(1..=0xFE_u8, row(), 1..6), any::<bool>());
     let shape = prop_oneof![row().prop_map(Shape::Variable), several.prop_map(|(m, n)| Shape::Several(m, n))];
     btree_map(index, shape, 1..10)

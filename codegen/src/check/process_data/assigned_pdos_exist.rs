@@ -20,8 +20,9 @@ fn run(model: &Model, sink: &mut Sink) {
         let Some(default) = assigned.filter(|default| !is_there(model, entry, default.value)) else {
             continue;
         };
-        let text =
-            format!("`{}` assigns {:04X}h, which is no PDO of its direction", entry.address, default.value);
+        let pdo = default.value;
+        let pdo = u16::try_from(pdo).map_or_else(|_| pdo.to_string(), |index| format!("{index:04X}h"));
+        let text = format!("`{}` assigns {pdo}, which is no PDO of its direction", entry.address);
         sink.push(super::finding(CODE, default.span, &entry.address, text, WHY, HELP));
     }
 }
