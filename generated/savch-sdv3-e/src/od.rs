@@ -53,6 +53,7 @@ pub const SOFTWARE_VERSION: Object<VisibleString, Ro, Unmapped, Raw> = Object::n
 
 /// Identity, `1018:00`: UNSIGNED8, ro, not mapped.
 ///
+/// The highest sub-index of 1018h.
 /// Default 4.
 /// Manual: 6.1 T6-1 L1060.
 #[doc(alias = "1018")]
@@ -755,6 +756,7 @@ pub const TXPDO4_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(
 
 /// Sync manager type, `1C00:00`: UNSIGNED8, ro, not mapped.
 ///
+/// The highest sub-index of 1C00h.
 /// Default 4.
 /// Manual: 6.1 T6-1 L1159.
 #[doc(alias = "1C00")]
@@ -886,6 +888,7 @@ pub const INDEX_OF_ASSIGNED_TXPDO4: Object<u16, Rw, Unmapped, Raw> =
 
 /// SM output parameter, `1C32:00`: UNSIGNED8, ro, not mapped.
 ///
+/// The highest sub-index of 1C32h.
 /// Default 32.
 /// Manual: 6.1 T6-1 L1176.
 ///
@@ -990,6 +993,7 @@ pub const SM_OUTPUT_SYNC_ERROR: Object<bool, Ro, Unmapped, Raw> = Object::new(0x
 
 /// SM input parameter, `1C33:00`: UNSIGNED8, ro, not mapped.
 ///
+/// The highest sub-index of 1C33h.
 /// Default 32.
 /// Note: The row is shifted by one cell in the text extract, and its default is lost: see E024.
 /// Manual: 6.1 T6-1 L1188.
@@ -1095,6 +1099,7 @@ pub const SM_INPUT_SYNC_ERROR: Object<bool, Ro, Unmapped, Raw> = Object::new(0x1
 
 /// Number of Servo Para Group1, `3000:00`: UNSIGNED8, ro, not mapped.
 ///
+/// The highest sub-index of 3000h.
 /// Default 99.
 /// Manual: 6.3 T6-3 L1270.
 #[doc(alias = "3000")]
@@ -1102,13 +1107,13 @@ pub const NUMBER_OF_SERVO_PARA_GROUP1: Object<u8, Ro, Unmapped, Raw> = Object::n
 
 /// Servo mode, `3000:01`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P1.01. A new value takes effect **only after a power cycle**.
 /// 9 is EtherCAT mode.
 /// 0 to 9; default 9.
 /// Manual: 2.4 L140 L154.
-/// Manual, the type: 6.3 T6-3 L1271, 6.3 L1343.
-/// Manual, the access: 6.3 T6-3 L1271, 6.3 L1343.
-/// Manual, the mapping: 6.3 T6-3 L1271, 6.3 L1343.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
+#[doc(alias = "P1.01")]
 pub const SERVO_MODE: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x01).range(0, 9);
 
 /// Servo Parameter Group 1, `3000:02`: INTEGER32, rw, not mapped.
@@ -1899,6 +1904,7 @@ pub const SERVO_PARAMETER_GROUP_1_99: Object<i32, Rw, Unmapped, Raw> = Object::n
 
 /// Number of Servo Para Group2, `3001:00`: UNSIGNED8, ro, not mapped.
 ///
+/// The highest sub-index of 3001h.
 /// Default 99.
 /// Manual: 6.3 T6-3 L1272.
 #[doc(alias = "3001")]
@@ -2074,24 +2080,24 @@ pub const SERVO_PARAMETER_GROUP_2_21: Object<i32, Rw, Unmapped, Raw> = Object::n
 
 /// Stopper homing P2.22, `3001:16`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P2.22.
 /// Homing methods 36 and 37, which end at a stopper, need it.
 /// Manual: 4.4 L599.
-/// Manual, the type: 6.3 T6-3 L1273.
-/// Manual, the access: 6.3 T6-3 L1273.
-/// Manual, the mapping: 6.3 T6-3 L1273.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1273.
 /// The name is inferred: the manual prints the number only.
 #[doc(alias = "3001")]
+#[doc(alias = "P2.22")]
 pub const STOPPER_HOMING_P2_22: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x16);
 
 /// Stopper homing P2.23, `3001:17`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P2.23.
 /// Homing methods 36 and 37, which end at a stopper, need it.
 /// Manual: 4.4 L599.
-/// Manual, the type: 6.3 T6-3 L1273.
-/// Manual, the access: 6.3 T6-3 L1273.
-/// Manual, the mapping: 6.3 T6-3 L1273.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1273.
 /// The name is inferred: the manual prints the number only.
 #[doc(alias = "3001")]
+#[doc(alias = "P2.23")]
 pub const STOPPER_HOMING_P2_23: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x17);
 
 /// Servo Parameter Group 2, `3001:18`: INTEGER32, rw, not mapped.
@@ -2104,16 +2110,16 @@ pub const SERVO_PARAMETER_GROUP_2_24: Object<i32, Rw, Unmapped, Raw> = Object::n
 
 /// Position command format, `3001:19`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P2.25. A new value takes effect **only after a power cycle**.
 /// The position of the motor is held inside the range of 607Dh.
 /// Only 0 (Normal PTP), 1 (Infinite length); default 0.
 /// Note: The manual does not say for which value; in other rows the description belongs to the default.
 /// Manual: 2.4 L141 L154.
-/// Manual, the type: 6.3 T6-3 L1273.
-/// Manual, the access: 6.3 T6-3 L1273.
-/// Manual, the mapping: 6.3 T6-3 L1273.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1273.
 ///
 /// Erratum E106, text: printed "The position of the motor is held inside the range of 607Dh.". The row prints it for no value of its own. With 1, Infinite length, a limit makes little sense; read it for 0. Kept.
 #[doc(alias = "3001")]
+#[doc(alias = "P2.25")]
 pub const POSITION_COMMAND_FORMAT: Object<enums::PositionCommandFormat, Rw, Unmapped, Raw> =
     Object::new(0x3001, 0x19).allow(&[0, 1]);
 
@@ -2527,16 +2533,16 @@ pub const SERVO_PARAMETER_GROUP_2_76: Object<i32, Rw, Unmapped, Raw> = Object::n
 
 /// Initial display of the keypad, `3001:4D`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P2.77. A new value takes effect **only after a power cycle**.
 /// What the panel shows after power-on; 52, the default, is the EtherCAT status.
 /// From 0; default 52 (EtherCAT status).
 /// Note: The default is outside the printed range: see E105.
 /// Manual: 2.4 L142 L154, 2.2 L103.
-/// Manual, the type: 6.3 T6-3 L1273.
-/// Manual, the access: 6.3 T6-3 L1273.
-/// Manual, the mapping: 6.3 T6-3 L1273.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1273.
 ///
 /// Erratum E105, max: printed 42, dropped. The default, 52, is outside the printed range 0 to 42, and the description of the same row gives it a meaning: the range is too short. What the highest value is, is not printed.
 #[doc(alias = "3001")]
+#[doc(alias = "P2.77")]
 pub const INITIAL_DISPLAY_OF_THE_KEYPAD: Object<enums::KeypadDisplay, Rw, Unmapped, Raw> =
     Object::new(0x3001, 0x4D).range(0, i64::MAX);
 
@@ -2720,6 +2726,7 @@ pub const SERVO_PARAMETER_GROUP_2_99: Object<i32, Rw, Unmapped, Raw> = Object::n
 
 /// Number of Servo Para Group3, `3002:00`: UNSIGNED8, ro, not mapped.
 ///
+/// The highest sub-index of 3002h.
 /// Default 99.
 /// Manual: 6.3 T6-3 L1274.
 #[doc(alias = "3002")]
@@ -2727,57 +2734,57 @@ pub const NUMBER_OF_SERVO_PARA_GROUP3: Object<u8, Ro, Unmapped, Raw> = Object::n
 
 /// Function of EI1, `3002:01`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.01.
 /// Function number of hardware input EI1; 40 is EXT1 and 41 is EXT2 of the touch probe.
 /// Manual: 6.3.4 L1367.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; five inputs and five parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.01")]
 pub const FUNCTION_OF_EI1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x01);
 
 /// Function of EI2, `3002:02`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.02.
 /// Function number of hardware input EI2; 40 is EXT1 and 41 is EXT2 of the touch probe.
 /// Manual: 6.3.4 L1367.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; five inputs and five parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.02")]
 pub const FUNCTION_OF_EI2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x02);
 
 /// Function of EI3, `3002:03`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.03.
 /// Function number of hardware input EI3; 40 is EXT1 and 41 is EXT2 of the touch probe.
 /// Manual: 6.3.4 L1367.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; five inputs and five parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.03")]
 pub const FUNCTION_OF_EI3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x03);
 
 /// Function of EI4, `3002:04`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.04.
 /// Function number of hardware input EI4; 40 is EXT1 and 41 is EXT2 of the touch probe.
 /// Manual: 6.3.4 L1367.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; five inputs and five parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.04")]
 pub const FUNCTION_OF_EI4: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x04);
 
 /// Function of EI5, `3002:05`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.05.
 /// Function number of hardware input EI5; 40 is EXT1 and 41 is EXT2 of the touch probe.
 /// Manual: 6.3.4 L1367.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; five inputs and five parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.05")]
 pub const FUNCTION_OF_EI5: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x05);
 
 /// Servo Parameter Group 3, `3002:06`: INTEGER32, rw, not mapped.
@@ -2806,184 +2813,184 @@ pub const SERVO_PARAMETER_GROUP_3_8: Object<i32, Rw, Unmapped, Raw> = Object::ne
 
 /// Function of communication EI1, `3002:09`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.09.
 /// Function number of communication input 1.
 /// Manual: 6.3.4 L1369.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.09")]
 pub const FUNCTION_OF_COMMUNICATION_EI1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x09);
 
 /// Function of communication EI2, `3002:0A`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.10.
 /// Function number of communication input 2.
 /// Manual: 6.3.4 L1369.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.10")]
 pub const FUNCTION_OF_COMMUNICATION_EI2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0A);
 
 /// Function of communication EI3, `3002:0B`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.11.
 /// Function number of communication input 3.
 /// Manual: 6.3.4 L1369.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.11")]
 pub const FUNCTION_OF_COMMUNICATION_EI3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0B);
 
 /// Function of communication EI4, `3002:0C`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.12.
 /// Function number of communication input 4.
 /// Manual: 6.3.4 L1369.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.12")]
 pub const FUNCTION_OF_COMMUNICATION_EI4: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0C);
 
 /// Function of communication EI5, `3002:0D`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.13.
 /// Function number of communication input 5.
 /// Manual: 6.3.4 L1369.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.13")]
 pub const FUNCTION_OF_COMMUNICATION_EI5: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0D);
 
 /// Function of communication EI6, `3002:0E`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.14.
 /// Function number of communication input 6.
 /// Manual: 6.3.4 L1369.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.14")]
 pub const FUNCTION_OF_COMMUNICATION_EI6: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0E);
 
 /// Function of communication EI7, `3002:0F`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.15.
 /// Function number of communication input 7.
 /// Manual: 6.3.4 L1369.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.15")]
 pub const FUNCTION_OF_COMMUNICATION_EI7: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0F);
 
 /// Function of communication EI8, `3002:10`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.16.
 /// Function number of communication input 8.
 /// Manual: 6.3.4 L1369.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.16")]
 pub const FUNCTION_OF_COMMUNICATION_EI8: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x10);
 
 /// Function of communication EI9, `3002:11`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.17.
 /// Function number of communication input 9.
 /// Manual: 6.3.4 L1369.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.17")]
 pub const FUNCTION_OF_COMMUNICATION_EI9: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x11);
 
 /// Function of communication EI10, `3002:12`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.18.
 /// Function number of communication input 10.
 /// Manual: 6.3.4 L1369.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.18")]
 pub const FUNCTION_OF_COMMUNICATION_EI10: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x12);
 
 /// Function of communication EI11, `3002:13`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.19.
 /// Function number of communication input 11.
 /// Manual: 6.3.4 L1369.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.19")]
 pub const FUNCTION_OF_COMMUNICATION_EI11: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x13);
 
 /// Function of communication EI12, `3002:14`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.20.
 /// Function number of communication input 12.
 /// Manual: 6.3.4 L1369.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.20")]
 pub const FUNCTION_OF_COMMUNICATION_EI12: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x14);
 
 /// Function of communication EI13, `3002:15`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.21.
 /// Function number of communication input 13.
 /// Manual: 6.3.4 L1369.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.21")]
 pub const FUNCTION_OF_COMMUNICATION_EI13: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x15);
 
 /// Function of communication EI14, `3002:16`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.22.
 /// Function number of communication input 14.
 /// Manual: 6.3.4 L1369.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.22")]
 pub const FUNCTION_OF_COMMUNICATION_EI14: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x16);
 
 /// Function of communication EI15, `3002:17`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.23.
 /// Function number of communication input 15.
 /// Manual: 6.3.4 L1369.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.23")]
 pub const FUNCTION_OF_COMMUNICATION_EI15: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x17);
 
 /// Function of communication EI16, `3002:18`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.24.
 /// Function number of communication input 16.
 /// Manual: 6.3.4 L1369.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.24")]
 pub const FUNCTION_OF_COMMUNICATION_EI16: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x18);
 
@@ -3197,35 +3204,35 @@ pub const SERVO_PARAMETER_GROUP_3_50: Object<i32, Rw, Unmapped, Raw> = Object::n
 
 /// Function of EOUT1, `3002:33`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.51.
 /// Function number of hardware output EOUT1.
 /// Manual: 6.3.4 L1371.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; three outputs and three parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.51")]
 pub const FUNCTION_OF_EOUT1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x33);
 
 /// Function of EOUT2, `3002:34`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.52.
 /// Function number of hardware output EOUT2.
 /// Manual: 6.3.4 L1371.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; three outputs and three parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.52")]
 pub const FUNCTION_OF_EOUT2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x34);
 
 /// Function of EOUT3, `3002:35`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.53.
 /// Function number of hardware output EOUT3.
 /// Manual: 6.3.4 L1371.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; three outputs and three parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.53")]
 pub const FUNCTION_OF_EOUT3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x35);
 
 /// Servo Parameter Group 3, `3002:36`: INTEGER32, rw, not mapped.
@@ -3246,193 +3253,193 @@ pub const SERVO_PARAMETER_GROUP_3_55: Object<i32, Rw, Unmapped, Raw> = Object::n
 
 /// Function of communication EOUT1, `3002:38`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.56.
 /// Function number of communication output 1.
 /// Manual: 6.3.4 L1373.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.56")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT1: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x38);
 
 /// Function of communication EOUT2, `3002:39`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.57.
 /// Function number of communication output 2.
 /// Manual: 6.3.4 L1373.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.57")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT2: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x39);
 
 /// Function of communication EOUT3, `3002:3A`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.58.
 /// Function number of communication output 3.
 /// Manual: 6.3.4 L1373.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.58")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT3: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x3A);
 
 /// Function of communication EOUT4, `3002:3B`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.59.
 /// Function number of communication output 4.
 /// Manual: 6.3.4 L1373.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.59")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT4: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x3B);
 
 /// Function of communication EOUT5, `3002:3C`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.60.
 /// Function number of communication output 5.
 /// Manual: 6.3.4 L1373.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.60")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT5: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x3C);
 
 /// Function of communication EOUT6, `3002:3D`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.61.
 /// Function number of communication output 6.
 /// Manual: 6.3.4 L1373.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.61")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT6: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x3D);
 
 /// Function of communication EOUT7, `3002:3E`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.62.
 /// Function number of communication output 7.
 /// Manual: 6.3.4 L1373.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.62")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT7: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x3E);
 
 /// Function of communication EOUT8, `3002:3F`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.63.
 /// Function number of communication output 8.
 /// Manual: 6.3.4 L1373.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.63")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT8: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x3F);
 
 /// Function of communication EOUT9, `3002:40`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.64.
 /// Function number of communication output 9.
 /// Manual: 6.3.4 L1373.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.64")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT9: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x40);
 
 /// Function of communication EOUT10, `3002:41`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.65.
 /// Function number of communication output 10.
 /// Manual: 6.3.4 L1373.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.65")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT10: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x41);
 
 /// Function of communication EOUT11, `3002:42`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.66.
 /// Function number of communication output 11.
 /// Manual: 6.3.4 L1373.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.66")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT11: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x42);
 
 /// Function of communication EOUT12, `3002:43`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.67.
 /// Function number of communication output 12.
 /// Manual: 6.3.4 L1373.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.67")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT12: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x43);
 
 /// Function of communication EOUT13, `3002:44`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.68.
 /// Function number of communication output 13.
 /// Manual: 6.3.4 L1373.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.68")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT13: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x44);
 
 /// Function of communication EOUT14, `3002:45`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.69.
 /// Function number of communication output 14.
 /// Manual: 6.3.4 L1373.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.69")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT14: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x45);
 
 /// Function of communication EOUT15, `3002:46`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.70.
 /// Function number of communication output 15.
 /// Manual: 6.3.4 L1373.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.70")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT15: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x46);
 
 /// Function of communication EOUT16, `3002:47`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.71.
 /// Function number of communication output 16.
 /// Manual: 6.3.4 L1373.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.71")]
 pub const FUNCTION_OF_COMMUNICATION_EOUT16: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x47);
 
@@ -3574,13 +3581,13 @@ pub const SERVO_PARAMETER_GROUP_3_88: Object<i32, Rw, Unmapped, Raw> = Object::n
 
 /// Feedback speed sampling time, `3002:59`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P3.89.
 /// Sampling time of the speed that 606Ch reports.
 /// Only 0 (62.5 us), 1 (125 us), 2 (250 us), 3 (500 us), 4 (1 ms), 5 (2 ms), 6 (4 ms), 7 (8 ms); default 1.
 /// Manual: 2.4 L143.
-/// Manual, the type: 6.3 T6-3 L1275.
-/// Manual, the access: 6.3 T6-3 L1275.
-/// Manual, the mapping: 6.3 T6-3 L1275.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
+#[doc(alias = "P3.89")]
 pub const FEEDBACK_SPEED_SAMPLING_TIME: Object<enums::SpeedSamplingTime, Rw, Unmapped, Raw> =
     Object::new(0x3002, 0x59).allow(&[0, 1, 2, 3, 4, 5, 6, 7]);
 
@@ -3668,6 +3675,7 @@ pub const SERVO_PARAMETER_GROUP_3_99: Object<i32, Rw, Unmapped, Raw> = Object::n
 
 /// Number of Servo Para Group4, `3003:00`: UNSIGNED8, ro, not mapped.
 ///
+/// The highest sub-index of 3003h.
 /// Default 99.
 /// Manual: 6.3 T6-3 L1276.
 #[doc(alias = "3003")]
@@ -3675,50 +3683,50 @@ pub const NUMBER_OF_SERVO_PARA_GROUP4: Object<u8, Ro, Unmapped, Raw> = Object::n
 
 /// ECAT node ID, `3003:01`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P4.01. A new value takes effect **only after a power cycle**.
 /// Node address, used when P4.02 is 1.
 /// 1 to 65535; default 1.
 /// Manual: 2.4 L146 L154, 3.7 L287.
-/// Manual, the type: 6.3 T6-3 L1277.
-/// Manual, the access: 6.3 T6-3 L1277.
-/// Manual, the mapping: 6.3 T6-3 L1277.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
+#[doc(alias = "P4.01")]
 pub const ECAT_NODE_ID: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x01).range(1, 65_535);
 
 /// ECAT node ID setting, `3003:02`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P4.02. A new value takes effect **only after a power cycle**.
 /// Where the node address comes from.
 /// Only 0 (From EEPROM), 1 (From P4.01); default 0.
 /// Manual: 2.4 L147 L154, 3.7 L286 L287.
-/// Manual, the type: 6.3 T6-3 L1277.
-/// Manual, the access: 6.3 T6-3 L1277.
-/// Manual, the mapping: 6.3 T6-3 L1277.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
+#[doc(alias = "P4.02")]
 pub const ECAT_NODE_ID_SETTING: Object<enums::NodeIdSetting, Rw, Unmapped, Raw> =
     Object::new(0x3003, 0x02).allow(&[0, 1]);
 
 /// Data synchronization Detection setting, `3003:03`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P4.03. A new value takes effect **only after a power cycle**.
 /// 0: off. 1 to 99: an alarm when data is lost so many times in a row. For the cyclic synchronous modes.
 /// 0 to 99; default 0 (No detection).
 /// Manual: 2.4 L148 L154.
-/// Manual, the type: 6.3 T6-3 L1277.
-/// Manual, the access: 6.3 T6-3 L1277.
-/// Manual, the mapping: 6.3 T6-3 L1277.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1277.
 ///
 /// Erratum E110, text: printed "0: off. 1 to 99: an alarm when data is lost so many times in a row. For the cyclic synchronous modes.". The row calls the alarm a data loss alarm, a name that table 5-1 does not have; cSD names this parameter among its remedies. Kept.
 #[doc(alias = "3003")]
+#[doc(alias = "P4.03")]
 pub const DATA_SYNCHRONIZATION_DETECTION_SETTING: Object<enums::DataSynchronizationDetection, Rw, Unmapped, Raw> =
     Object::new(0x3003, 0x03).range(0, 99);
 
 /// Data Loss Processing Settings, `3003:04`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P4.04. A new value takes effect **only after a power cycle**.
 /// What happens in cyclic synchronous position mode when a position is missing.
 /// Only 0 (No processing), 1 (Repeat last increment); default 1.
 /// Manual: 2.4 L149 L154.
-/// Manual, the type: 6.3 T6-3 L1277.
-/// Manual, the access: 6.3 T6-3 L1277.
-/// Manual, the mapping: 6.3 T6-3 L1277.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
+#[doc(alias = "P4.04")]
 pub const DATA_LOSS_PROCESSING_SETTINGS: Object<enums::DataLossProcessing, Rw, Unmapped, Raw> =
     Object::new(0x3003, 0x04).allow(&[0, 1]);
 
@@ -3756,18 +3764,18 @@ pub const SERVO_PARAMETER_GROUP_4_8: Object<i32, Rw, Unmapped, Raw> = Object::ne
 
 /// Input shift time setting, `3003:09`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P4.09. A new value takes effect **only after a power cycle**.
 /// Shift of the time at which inputs are latched: 26000 + value \* 62500.
 /// 0 to 160; default 0.
 /// Note: 3.5.1 prints another formula and that it takes effect after power-on: see E107 and E108.
 /// Manual: 2.4 L150, 3.5.1 L255.
-/// Manual, the type: 6.3 T6-3 L1277.
-/// Manual, the access: 6.3 T6-3 L1277.
-/// Manual, the mapping: 6.3 T6-3 L1277.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1277.
 ///
 /// Erratum E107, text: printed "Shift of the time at which inputs are latched: 26000 + value \* 62500.". 3.5.1 has no 26000 and wants multiples of 62500 in 1C33:03, which the sum never is; without it the highest value, 160, is exactly the longest cycle of 10 ms. Kept; read 1C33:03 after power-on.
 ///
 /// Erratum E108, effect: printed "power cycle". In 2.4 the parameter has no mark of those that wait for power-on. 3.5.1 says so in words. Kept.
 #[doc(alias = "3003")]
+#[doc(alias = "P4.09")]
 pub const INPUT_SHIFT_TIME_SETTING: Object<i32, Rw, Unmapped, Raw> =
     Object::new(0x3003, 0x09).range(0, 160);
 
@@ -3813,15 +3821,15 @@ pub const SERVO_PARAMETER_GROUP_4_14: Object<i32, Rw, Unmapped, Raw> = Object::n
 
 /// Speed command format, `3003:0F`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P4.15.
 /// Format of the values that concern commanded speed.
 /// Only 0 (rpm), 1 (unit/s); default 0.
 /// Manual: 2.4 L151.
-/// Manual, the type: 6.3 T6-3 L1277.
-/// Manual, the access: 6.3 T6-3 L1277.
-/// Manual, the mapping: 6.3 T6-3 L1277.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1277.
 ///
 /// Erratum E111, values: printed "speed command format". It is said to concern commands; the tables mark actual values (606B, 606C) as switchable too. Which of several parameters the note means is not printed. Kept.
 #[doc(alias = "3003")]
+#[doc(alias = "P4.15")]
 pub const SPEED_COMMAND_FORMAT: Object<enums::SpeedCommandFormat, Rw, Unmapped, Raw> =
     Object::new(0x3003, 0x0F).allow(&[0, 1]);
 
@@ -3835,16 +3843,16 @@ pub const SERVO_PARAMETER_GROUP_4_16: Object<i32, Rw, Unmapped, Raw> = Object::n
 
 /// Object monitoring, `3003:11`: INTEGER32, rw, not mapped.
 ///
+/// Parameter P4.17.
 /// The object that panel page dp-12 shows: index in the upper 4 hexadecimal digits, sub-index in the lower 2.
 /// Default 6308096.
 /// Note: The default has 4 digits of index and 2 digits of sub-index: see E109.
 /// Manual: 2.4 L152.
-/// Manual, the type: 6.3 T6-3 L1277.
-/// Manual, the access: 6.3 T6-3 L1277.
-/// Manual, the mapping: 6.3 T6-3 L1277.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1277.
 ///
 /// Erratum E109, text: printed "The object that panel page dp-12 shows: index in the upper 4 bytes, sub-index in the lower 2 bytes.", used "The object that panel page dp-12 shows: index in the upper 4 hexadecimal digits, sub-index in the lower 2.". Digits, not bytes: the default 604100h is 6041h and 00h, an index has 2 bytes, and every parameter has 4 bytes in all.
 #[doc(alias = "3003")]
+#[doc(alias = "P4.17")]
 pub const OBJECT_MONITORING: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x11);
 
 /// Servo Parameter Group 4, `3003:12`: INTEGER32, rw, not mapped.
@@ -4507,6 +4515,7 @@ pub const SERVO_PARAMETER_GROUP_4_99: Object<i32, Rw, Unmapped, Raw> = Object::n
 
 /// Number of Monitor Data, `3100:00`: UNSIGNED8, ro, not mapped.
 ///
+/// The highest sub-index of 3100h.
 /// Default 18.
 /// Manual: 6.3 T6-3 L1278.
 #[doc(alias = "3100")]
@@ -4537,9 +4546,7 @@ pub const COMMAND_TORQUE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100, 0
 ///
 /// Note: The unit is printed as 0.01, without saying of what.
 /// Manual: 2.4 L142.
-/// Manual, the type: 6.3 T6-3 L1282.
-/// Manual, the access: 6.3 T6-3 L1282.
-/// Manual, the mapping: 6.3 T6-3 L1282.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1282.
 ///
 /// Erratum E040, name: printed "Peak Toque", used "Peak Torque". A letter is lost.
 ///
@@ -4568,10 +4575,7 @@ pub const EFFECTIVE_TORQUE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100,
 ///
 /// In user position.
 /// Manual: 2.4 L142.
-/// Manual, the type: 6.3 T6-3 L1285.
-/// Manual, the access: 6.3 T6-3 L1285.
-/// Manual, the mapping: 6.3 T6-3 L1285.
-/// Manual, the unit: 6.3 T6-3 L1285.
+/// Manual, the type, access, mapping and unit: 6.3 T6-3 L1285.
 ///
 /// Erratum E043, name: printed "Feedback Postion", used "Feedback Position". A letter is lost.
 #[doc(alias = "3100")]
@@ -4581,10 +4585,7 @@ pub const FEEDBACK_POSITION: Object<i32, Ro, Unmapped, UserPosition> = Object::n
 ///
 /// In user position.
 /// Manual: 2.4 L142, 6.3 T6-3 L1313.
-/// Manual, the type: 6.3 T6-3 L1286.
-/// Manual, the access: 6.3 T6-3 L1286.
-/// Manual, the mapping: 6.3 T6-3 L1286.
-/// Manual, the unit: 6.3 T6-3 L1286.
+/// Manual, the type, access, mapping and unit: 6.3 T6-3 L1286.
 ///
 /// Erratum E044, name: printed "Command Postion", used "Command Position". A letter is lost.
 #[doc(alias = "3100")]
@@ -4594,9 +4595,7 @@ pub const COMMAND_POSITION: Object<i32, Ro, Unmapped, UserPosition> = Object::ne
 ///
 /// Note: No unit is printed; both positions that it is the difference of have user units (L1285, L1286).
 /// Manual: 2.4 L142.
-/// Manual, the type: 6.3 T6-3 L1287.
-/// Manual, the access: 6.3 T6-3 L1287.
-/// Manual, the mapping: 6.3 T6-3 L1287.
+/// Manual, the type, access and mapping: 6.3 T6-3 L1287.
 ///
 /// Erratum E045, name: printed "Postion Deviation", used "Position Deviation". A letter is lost.
 #[doc(alias = "3100")]
@@ -4692,6 +4691,7 @@ pub const ALARM_RECORD_SELECT: Object<u8, Rw, Unmapped, Raw> =
 
 /// Number of Alarm Record, `3201:00`: UNSIGNED8, ro, not mapped.
 ///
+/// The highest sub-index of 3201h.
 /// Always 14.
 /// Manual: 6.3 T6-3 L1300.
 #[doc(alias = "3201")]
@@ -4913,6 +4913,7 @@ pub const ALARM_CODE_10: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x0
 
 /// EI signal, `4000:00`: UNSIGNED8, ro, not mapped.
 ///
+/// The highest sub-index of 4000h.
 /// Default 2.
 /// Manual: 6.3 T6-3 L1326.
 #[doc(alias = "4000")]
@@ -4942,6 +4943,7 @@ pub const COMMUNICATION_EI_SIGNAL: Object<u16, Rw, RxTx, Raw> =
 
 /// EOUT signal, `4001:00`: UNSIGNED8, ro, not mapped.
 ///
+/// The highest sub-index of 4001h.
 /// Default 2.
 /// Manual: 6.3 T6-3 L1329.
 #[doc(alias = "4001")]
@@ -5049,7 +5051,7 @@ pub const POSITION_ACTUAL_VALUE: Object<i32, Ro, Tx, UserPosition> = Object::new
 /// Manual: 6.2 T6-2 L1217.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E025, unit: printed "rev", dropped. 4.2 and 4.3 have tenths of a revolution. A limit of at least 100 whole revolutions, 1966080 by default, is no following error: 1966080 is 15 times 2^17 and 104857600 is 100 times 2^20, so the numbers of 6.2 look like encoder counts. Which holds is not said. Dropped: a limit in a unit that is wrong by a factor of a million would be none; the numbers stay raw.
+/// Erratum E025, unit: printed "rev". 4.2 and 4.3 have tenths of a revolution. A limit of at least 100 whole revolutions, 1966080 by default, is no following error: 1966080 is 15 times 2^17 and 104857600 is 100 times 2^20, so the numbers of 6.2 look like encoder counts. Which holds is not said. Dropped: a limit in a unit that is wrong by a factor of a million would be none; the numbers stay raw.
 ///
 /// Erratum E026, min: printed 100. 4.2 and 4.3 have 0.1 to 100.0 revolutions, 1 to 1000 counts of a tenth. As for E025. Kept.
 ///
@@ -5179,6 +5181,7 @@ pub const HOME_OFFSET: Object<i32, Rw, RxTx, UserPosition> =
 
 /// Software Position Limit, `607D:00`: UNSIGNED8, ro, not mapped.
 ///
+/// The highest sub-index of 607Dh.
 /// Always 2.
 /// Manual: 6.2 T6-2 L1229.
 #[doc(alias = "607D")]
@@ -5288,6 +5291,7 @@ pub const MOTION_PROFILE_TYPE: Object<i16, Rw, Unmapped, Raw> =
 
 /// Position Factor, `6093:00`: UNSIGNED8, ro, not mapped.
 ///
+/// The highest sub-index of 6093h.
 /// Always 2.
 /// Manual: 6.2 T6-2 L1240.
 ///
@@ -5329,6 +5333,7 @@ pub const HOMING_METHOD: Object<i8, Rw, RxTx, Raw> = Object::new(0x6098, 0x00).r
 
 /// Homing Speeds, `6099:00`: UNSIGNED8, ro, not mapped.
 ///
+/// The highest sub-index of 6099h.
 /// Always 2.
 /// Manual: 6.2 T6-2 L1244.
 #[doc(alias = "6099")]
@@ -5341,7 +5346,7 @@ pub const HOMING_SPEEDS: Object<u8, Ro, Unmapped, Raw> = Object::new(0x6099, 0x0
 /// Manual: 6.2 T6-2 L1245.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E007, default: printed 500, dropped. The range is printed with a decimal point in r/min, the default without one. Read as counts of 0.1 r/min, the unit of the row, it is 50.0 r/min; read in r/min, as 607F and 6080 print theirs (3000.0) and as 4.2 must mean its 15 for 6065 (E028), it is 500.0 r/min, ten times as fast. Dropped: nobody should expect the slower one; read it from the drive.
+/// Erratum E007, default: printed 500. The range is printed with a decimal point in r/min, the default without one. Read as counts of 0.1 r/min, the unit of the row, it is 50.0 r/min; read in r/min, as 607F and 6080 print theirs (3000.0) and as 4.2 must mean its 15 for 6065 (E028), it is 500.0 r/min, ten times as fast. Dropped: nobody should expect the slower one; read it from the drive.
 #[doc(alias = "6099")]
 pub const HOMING_SPEED_FOR_SWITCH_SEARCH: Object<u32, Rw, RxTx, Velocity> =
     Object::new(0x6099, 0x01).range(1, 60_000).scale(1, 10);
@@ -5353,7 +5358,7 @@ pub const HOMING_SPEED_FOR_SWITCH_SEARCH: Object<u32, Rw, RxTx, Velocity> =
 /// Manual: 6.2 T6-2 L1246.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 ///
-/// Erratum E008, default: printed 50, dropped. As for E007: 5.0 r/min, or 50.0 r/min. Dropped.
+/// Erratum E008, default: printed 50. As for E007: 5.0 r/min, or 50.0 r/min. Dropped.
 #[doc(alias = "6099")]
 pub const HOMING_SPEED_FOR_ZERO_SEARCH: Object<u32, Rw, RxTx, Velocity> =
     Object::new(0x6099, 0x02).range(1, 60_000).scale(1, 10);

@@ -2,7 +2,7 @@
 
 use super::values;
 use crate::emit::escape::rust_doc;
-use crate::model::{Address, Cite, Class, Entry, Erratum, ErratumId, Model, Origin};
+use crate::model::{Address, Cite, Class, Effect, Entry, Erratum, ErratumId, Model, Origin, Value};
 use crate::name::Name;
 
 /// Writes `text` as doc comment lines; an empty text is an empty line.
@@ -15,6 +15,8 @@ pub(super) fn comment(indent: &str, lines: &[String]) -> String {
 /// What to know of an entry.
 pub(super) fn entry(entry: &Entry, model: &Model) -> Vec<String> {
     let mut lines = vec![headline(entry), String::new()];
+    lines.extend(count(entry, model));
+    lines.extend(parameter(entry));
     lines.extend(entry.text.as_ref().map(|t| rust_doc(t)));
     lines.extend(values::sentence(entry, model));
     lines.extend(entry.note.as_ref().map(|n| format!("Note: {}", rust_doc(n))));
@@ -35,6 +37,30 @@ fn headline(entry: &Entry) -> String {
     let (name, ty, access) =
         (rust_doc(&entry.name.value), entry.ty.value.cia301_name(), entry.access.value.word());
     format!("{name}, `{}`: {ty}, {access}, {mapping}.", entry.address)
+}
+
+/// That a sub-index 0, which bears the name of its object, is a count.
+fn count(entry: &Entry, model: &Model) -> Option<String> {
+    let object = &model.objects[entry.object];
+    let highest = object.entries.iter().map(|id| model.entries[*id].address.sub).max()?;
+    let default = entry.default.as_ref().map(|d| &d.value);
+    let counts = entry.address.sub == 0 && highest > 0 && default == Some(&Value::Int(highest.into()));
+    counts.then(|| format!("The highest sub-index of {:04X}h.", object.index))
+}
+
+/// What the panel and the drive's manual call it, and when a new value is used.
+fn parameter(entry: &Entry) -> Option<String> {
+    let number = entry.parameter.as_ref().map(|p| format!("Parameter {}.", rust_doc(&p.value)));
+    let effect = entry.effect.as_ref().map(|e| {
+        let when = match e.value {
+            Effect::AtOnce => "at once",
+            Effect::AtStop => "at the next standstill",
+            Effect::PowerCycle => "**only after a power cycle**",
+        };
+        format!("A new value takes effect {when}.")
+    });
+    let parts: Vec<String> = [number, effect].into_iter().flatten().collect();
+    (!parts.is_empty()).then(|| parts.join(" "))
 }
 
 /// Where the manual says it, and what it does not say itself.
@@ -66,11 +92,28 @@ fn cited<'o>(facts: &[(&'static str, Option<&'o Origin>)]) -> Vec<String> {
     let cites: Vec<(&str, &Cite)> = facts.iter().filter_map(cite).collect();
     let Some((_, row)) = cites.first() else { return Vec::new() };
     let mut lines = vec![format!("Manual: {}.", rust_doc(&row.to_string()))];
-    let elsewhere = cites.iter().filter(|(_, cite)| cite != row);
+    let mut elsewhere: Vec<(&Cite, Vec<&str>)> = Vec::new();
+    for (what, cite) in cites.iter().filter(|(_, cite)| cite != row) {
+        match elsewhere.iter_mut().find(|(known, _)| known == cite) {
+            Some((_, whats)) => whats.push(what),
+            None => elsewhere.push((cite, vec![what])),
+        }
+    }
     lines.extend(
-        elsewhere.map(|(what, cite)| format!("Manual, the {what}: {}.", rust_doc(&cite.to_string()))),
+        elsewhere
+            .iter()
+            .map(|(cite, whats)| format!("Manual, the {}: {}.", listed(whats), rust_doc(&cite.to_string()))),
     );
     lines
+}
+
+/// `type, access and mapping`.
+fn listed(words: &[&str]) -> String {
+    match words {
+        [] => String::new(),
+        [one] => (*one).to_owned(),
+        [some @ .., last] => format!("{} and {last}", some.join(", ")),
+    }
 }
 
 /// Errata of its row, and those of other rows, such as one of a range, that its values come from.
@@ -95,10 +138,11 @@ fn errata(entry: &Entry, model: &Model) -> Vec<String> {
     lines.into_iter().flat_map(|l| [String::new(), l]).collect()
 }
 
-/// What becomes of a printed value. That it is kept is not said twice.
+/// What becomes of a printed value. That it is kept or dropped is not said twice.
 pub(super) fn outcome(erratum: &Erratum) -> String {
     let outcome = erratum.outcome(rust_doc);
-    let said = outcome == "kept" && erratum.why.to_lowercase().contains("kept");
+    let said =
+        matches!(outcome.as_str(), "kept" | "dropped") && erratum.why.to_lowercase().contains(&outcome);
     if said { String::new() } else { format!(", {outcome}") }
 }
 
@@ -108,8 +152,9 @@ pub(super) fn table(name: &Name, what: &str, used: &[Address]) -> String {
     let texts: Vec<String> = used.iter().map(ToString::to_string).collect();
     match texts.as_slice() {
         [] => format!("{name}: {what} that no object refers to."),
-        [one] => format!("{name}: {what} of {one}."),
-        [some @ .., last] if some.len() < 6 => format!("{name}: {what} of {} and {last}.", some.join(", ")),
+        few if few.len() < 7 => {
+            format!("{name}: {what} of {}.", listed(&few.iter().map(String::as_str).collect::<Vec<_>>()))
+        }
         some => format!("{name}: {what} of {} and {} more.", some[..4].join(", "), some.len() - 4),
     }
 }

@@ -31,6 +31,11 @@ fn handle(out: &mut String, entry: &Entry, handle: &Handle<'_>, lowered: &Lowere
     out.push_str(&docs::comment("", &docs::entry(entry, lowered.model)));
     let index = entry.address.index;
     let _ = writeln!(out, "#[doc(alias = \"{index:04X}\")]");
+    // rustdoc refuses quotes and blanks at the ends; a number of a parameter has neither.
+    let plain = |number: &&str| number.chars().all(|c| c.is_ascii_alphanumeric() || ".-_".contains(c));
+    if let Some(number) = entry.parameter.as_ref().map(|p| p.value.as_str()).filter(plain) {
+        let _ = writeln!(out, "#[doc(alias = \"{number}\")]");
+    }
     let Handle { name, ty, access, mapping, quantity, .. } = handle;
     let value = format!(
         "Object::new(0x{index:04X}, 0x{:02X}){}{}{}",

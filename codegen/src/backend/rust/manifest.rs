@@ -7,10 +7,10 @@ use serde::Serialize;
 
 use super::Module;
 use super::docs::outcome;
-use super::lower::Lowered;
+use super::lower::{Handle, Lowered};
 use crate::backend::eds;
 use crate::emit::escape::{markdown, one_line};
-use crate::model::{Address, Model};
+use crate::model::{Address, Model, Sure};
 
 /// What the templates may name. Everything is escaped for Markdown; TOML strings are escaped by the template.
 #[derive(Serialize)]
@@ -26,7 +26,8 @@ struct Context {
     alarms: usize,
     pdos: usize,
     assumed: Vec<String>,
-    errata: Vec<String>,
+    /// Errata with a heading for each degree of doubt, the least sure first.
+    errata: Vec<(&'static str, Vec<String>)>,
     identity: Vec<String>,
     homing: usize,
     example: Option<String>,
@@ -47,8 +48,10 @@ fn toml_text(text: &str) -> String {
 }
 
 pub(super) fn readme(lowered: &Lowered<'_>) -> String {
-    let first = lowered.handles.iter().find(|h| h.access == "Rw" && h.ty == "u32" && h.range.is_some());
-    let example = first.map(|h| h.name.clone());
+    let fit = |h: &&Handle<'_>| h.access == "Rw" && h.ty == "u32" && h.range.is_some();
+    // What a cycle carries tells a reader more than what a set-up does.
+    let cyclic = lowered.handles.iter().find(|h| fit(h) && h.mapping.starts_with("Rx"));
+    let example = cyclic.or_else(|| lowered.handles.iter().find(fit)).map(|h| h.name.clone());
     render(include_str!("res/README.md.j2"), &Context { example, ..context(lowered.model) })
 }
 
@@ -60,20 +63,28 @@ fn render(template: &str, context: &Context) -> String {
     rendered.map_or_else(|error| format!("{error}\n"), |text| text.trim_end().to_owned() + "\n")
 }
 
+const DOUBT: &[(Sure, &str)] = &[
+    (Sure::Low, "Doubtful: only the device can settle it"),
+    (Sure::Medium, "Likely: confirm it on the device"),
+    (Sure::High, "Clear"),
+];
+
 fn context(model: &Model) -> Context {
     let drive = &model.drive;
     let manual = |m: &crate::model::Manual| format!("{}, {}", markdown(&m.title), markdown(&m.version));
     let erratum = |e: &crate::model::Erratum| {
         format!(
-            "**{}** {} `{}`: printed {}{} ({}). {}",
+            "**{}** {} `{}`: printed {}{}. {}",
             markdown(&e.id),
             markdown(&e.at),
             e.field,
             markdown(&e.was),
             outcome(e),
-            e.sure.word(),
             markdown(&e.why)
         )
+    };
+    let of = |sure: Sure| {
+        model.errata.as_slice().iter().filter(|e| e.sure == sure).map(erratum).collect::<Vec<_>>()
     };
     let known =
         |sub, what: &str| model.default_int(Address::new(0x1018, sub)).map(|n| format!("{what} `{n:08X}h`"));
@@ -88,9 +99,13 @@ fn context(model: &Model) -> Context {
         entries: model.entries.len(),
         alarms: model.alarms.len(),
         pdos: model.pdos.len(),
-        homing: model.homing.len(),
+        homing: model.homing.iter().filter(|m| m.same.is_some() || !m.cases.is_empty()).count(),
         assumed: eds::assumptions(model).iter().map(|text| markdown(text)).collect(),
-        errata: model.errata.as_slice().iter().map(erratum).collect(),
+        errata: DOUBT
+            .iter()
+            .map(|(sure, title)| (*title, of(*sure)))
+            .filter(|(_, l)| !l.is_empty())
+            .collect(),
         identity: [known(1, "vendor"), known(2, "product"), known(3, "revision")]
             .into_iter()
             .flatten()

@@ -21,6 +21,7 @@ pub const TORQUE: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00)
 
 /// Highest sub-index, `3000:00`: UNSIGNED8, ro, mapping not stated.
 ///
+/// The highest sub-index of 3000h.
 /// Default 2.
 /// Manual: 6 L3.
 #[doc(alias = "3000")]

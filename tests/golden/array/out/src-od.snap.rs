@@ -9,6 +9,7 @@ use drivewright_runtime::prelude::*;
 
 /// Number of gains, `2010:00`: UNSIGNED8, ro, mapping not stated.
 ///
+/// The highest sub-index of 2010h.
 /// Default 3.
 /// Manual: 2 L2.
 #[doc(alias = "2010")]

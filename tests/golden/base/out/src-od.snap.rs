@@ -21,6 +21,7 @@ pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1000, 
 
 /// Highest sub-index supported, `1018:00`: UNSIGNED8, ro, mapping not stated.
 ///
+/// The highest sub-index of 1018h.
 /// Default 1.
 /// Manual: 1 L2.
 /// The name is standard: cia301.

@@ -21,8 +21,7 @@ pub const OTHER: Object<u8, Rw, Rx, Raw> = Object::new(0x2001, 0x00);
 /// Gain, `2002:00`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Manual: 2 L13.
-/// Manual, the type: 2 L12.
-/// Manual, the access: 2 L12.
+/// Manual, the type and access: 2 L12.
 ///
 /// Erratum E2, name: printed "Gian", used "Gain". letters swapped
 #[doc(alias = "2002")]

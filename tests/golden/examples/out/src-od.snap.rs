@@ -9,6 +9,7 @@ use drivewright_runtime::prelude::*;
 
 /// Number of entries, `1A00:00`: UNSIGNED8, rw, mapping not stated.
 ///
+/// The highest sub-index of 1A00h.
 /// Default 2.
 /// Manual: 3 L1.
 #[doc(alias = "1A00")]
@@ -30,6 +31,7 @@ pub const MAPPING_2: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1A00, 0x
 
 /// Highest sub-index, `3000:00`: UNSIGNED8, ro, mapping not stated.
 ///
+/// The highest sub-index of 3000h.
 /// Default 1.
 /// Manual: 3 L2.
 #[doc(alias = "3000")]

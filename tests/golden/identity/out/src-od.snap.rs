@@ -31,6 +31,7 @@ pub const MANUFACTURER_DEVICE_NAME: Object<VisibleString, Const, MapNotStated, R
 
 /// Highest sub-index supported, `1018:00`: UNSIGNED8, ro, mapping not stated.
 ///
+/// The highest sub-index of 1018h.
 /// Default 4.
 /// Manual: 1.1 L22.
 /// The name is standard: cia301.

@@ -9,6 +9,7 @@ use drivewright_runtime::prelude::*;
 
 /// Count of offsets, `2030:00`: UNSIGNED8, ro, mapping not stated.
 ///
+/// The highest sub-index of 2030h.
 /// Default 2.
 /// Manual: 2 L1.
 #[doc(alias = "2030")]
@@ -30,6 +31,7 @@ pub const OFFSET_B: Object<i16, Rw, MapNotStated, Raw> = Object::new(0x2030, 0x0
 
 /// Count of values, `2031:00`: UNSIGNED8, ro, mapping not stated.
 ///
+/// The highest sub-index of 2031h.
 /// Default 2.
 /// Manual: 2 L4.
 #[doc(alias = "2031")]

@@ -9,6 +9,7 @@ use drivewright_runtime::prelude::*;
 
 /// Entries, `2040:00`: UNSIGNED8, ro, mapping not stated.
 ///
+/// The highest sub-index of 2040h.
 /// Default 254.
 /// Manual: 2 L2.
 #[doc(alias = "2040")]

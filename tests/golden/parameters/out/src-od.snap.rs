@@ -9,6 +9,7 @@ use drivewright_runtime::prelude::*;
 
 /// Highest sub-index, `3000:00`: UNSIGNED8, ro, mapping not stated.
 ///
+/// The highest sub-index of 3000h.
 /// Default 3.
 /// Manual: 6 L1.
 #[doc(alias = "3000")]
@@ -16,22 +17,27 @@ pub const HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x3
 
 /// Gain, `3000:01`: UNSIGNED16, rw, mapping not stated.
 ///
+/// Parameter P0.01. A new value takes effect at the next standstill.
 /// Manual: 6 L2.
 ///
 /// Erratum E1, parameter: printed "P0.01", kept. 7 calls it P0-01.
 ///
 /// Erratum E2, effect: printed "at once", used "at stop". 7 has the newer table.
 #[doc(alias = "3000")]
+#[doc(alias = "P0.01")]
 pub const GAIN: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x3000, 0x01);
 
 /// Direction, `3000:02`: UNSIGNED16, rw, mapping not stated.
 ///
+/// Parameter P0.02. A new value takes effect at the next standstill.
 /// Manual: 6 L3.
 #[doc(alias = "3000")]
+#[doc(alias = "P0.02")]
 pub const DIRECTION: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x3000, 0x02);
 
 /// Address, `3000:03`: UNSIGNED16, rw, mapping not stated.
 ///
+/// A new value takes effect **only after a power cycle**.
 /// Manual: 6 L4.
 #[doc(alias = "3000")]
 pub const ADDRESS: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x3000, 0x03);

@@ -9,6 +9,7 @@ use drivewright_runtime::prelude::*;
 
 /// Highest sub-index, `3000:00`: UNSIGNED8, ro, mapping not stated.
 ///
+/// The highest sub-index of 3000h.
 /// Default 5.
 /// Manual: 6 L1.
 #[doc(alias = "3000")]
@@ -16,6 +17,7 @@ pub const HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x3
 
 /// Gain, `3000:01`: UNSIGNED16, rw, not mapped.
 ///
+/// A new value takes effect at once.
 /// One of five.
 /// In 0.1 Hz; 0 to 1000 (0 to 100 Hz); default 10 (1 Hz).
 /// Note: Not of the rows below.
@@ -29,6 +31,7 @@ pub const GAIN_1: Object<u16, Rw, Unmapped, Frequency> =
 
 /// Gain, `3000:02`: UNSIGNED16, rw, not mapped.
 ///
+/// A new value takes effect at once.
 /// One of five.
 /// In 0.1 Hz; 0 to 1000 (0 to 100 Hz); default 25 (2.5 Hz).
 /// Manual: 6 L2.
@@ -44,14 +47,12 @@ pub const GAIN_2: Object<u16, Rw, Unmapped, Frequency> =
 
 /// Notch, `3000:03`: INTEGER16, rw, not mapped.
 ///
+/// A new value takes effect at once.
 /// Another thing.
 /// In 0.1 Hz; -5 to 1000 (-0.5 to 100 Hz); default 10 (1 Hz).
 /// Manual: 6 L4.
-/// Manual, the access: 6 L2.
-/// Manual, the mapping: 6 L2.
-/// Manual, the unit: 6 L2.
+/// Manual, the access, mapping, unit and default: 6 L2.
 /// Manual, the maximum: 7 L20.
-/// Manual, the default: 6 L2.
 ///
 /// Erratum E1, max: printed 100, used 1000. 7 has one zero more.
 #[doc(alias = "3000")]
@@ -60,6 +61,7 @@ pub const NOTCH: Object<i16, Rw, Unmapped, Frequency> =
 
 /// Gain, `3000:04`: UNSIGNED16, ro, not mapped.
 ///
+/// A new value takes effect at once.
 /// One of five.
 /// In 0.1 Hz; 0 to 1000 (0 to 100 Hz); default 10 (1 Hz).
 /// Manual: 6 L2.
@@ -74,6 +76,7 @@ pub const GAIN_OF_THE_LOOP: Object<u16, Ro, Unmapped, Frequency> =
 
 /// Gain, `3000:05`: UNSIGNED16, rw, not mapped.
 ///
+/// A new value takes effect at once.
 /// One of five.
 /// In 0.1 Hz; from 0 (from 0 Hz); default 10 (1 Hz).
 /// Manual: 6 L2.

@@ -9,6 +9,7 @@ use drivewright_runtime::prelude::*;
 
 /// Parameters, `3000:00`: UNSIGNED8, ro, mapping not stated.
 ///
+/// The highest sub-index of 3000h.
 /// Default 11.
 /// Manual: 2 L2.
 #[doc(alias = "3000")]
@@ -38,6 +39,7 @@ pub const P1_LAST: Object<i32, Rw, MapNotStated, Raw> = Object::new(0x3000, 0x0B
 
 /// Count, `3001:00`: UNSIGNED8, ro, mapping not stated.
 ///
+/// The highest sub-index of 3001h.
 /// Default 2.
 /// Manual: 2 L5.
 #[doc(alias = "3001")]

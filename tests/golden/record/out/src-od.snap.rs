@@ -9,6 +9,7 @@ use drivewright_runtime::prelude::*;
 
 /// Highest sub-index, `2020:00`: UNSIGNED8, const, mapping not stated.
 ///
+/// The highest sub-index of 2020h.
 /// Default 5.
 /// Manual: 2 L2.
 #[doc(alias = "2020")]

@@ -9,6 +9,7 @@ use drivewright_runtime::prelude::*;
 
 /// Highest sub-index, `1C32:00`: UNSIGNED8, ro, mapping not stated.
 ///
+/// The highest sub-index of 1C32h.
 /// Default 2.
 /// Manual: 3 L1.
 #[doc(alias = "1C32")]

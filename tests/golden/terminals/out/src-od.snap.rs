@@ -15,6 +15,7 @@ pub const DIGITAL_INPUTS: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x60F
 
 /// Highest sub-index, `60FE:00`: UNSIGNED8, ro, mapping not stated.
 ///
+/// The highest sub-index of 60FEh.
 /// Default 1.
 /// Manual: 4 L3.
 #[doc(alias = "60FE")]

@@ -32,6 +32,7 @@ pub const CYCLE: Object<u32, Rw, MapNotStated, Time> =
 
 /// Number of entries, `1018:00`: UNSIGNED8, ro, mapping not stated.
 ///
+/// The highest sub-index of 1018h.
 /// Default 1.
 /// Manual: 2 L3.
 #[doc(alias = "1018")]
@@ -48,6 +49,7 @@ pub const VENDOR_ID: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x
 
 /// Assigned PDOs, `1C12:00`: UNSIGNED8, rw, mapping not stated.
 ///
+/// The highest sub-index of 1C12h.
 /// 0 to 1; default 1.
 /// Manual: 2 L4.
 #[doc(alias = "1C12")]
