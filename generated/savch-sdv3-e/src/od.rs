@@ -2535,7 +2535,7 @@ pub const SERVO_PARAMETER_GROUP_2_76: Object<i32, Rw, Unmapped, Raw> = Object::n
 ///
 /// Parameter P2.77. A new value takes effect **only after a power cycle**.
 /// What the panel shows after power-on; 52, the default, is the EtherCAT status.
-/// From 0; default 52 (EtherCAT status).
+/// At least 0; default 52 (EtherCAT status).
 /// Note: The default is outside the printed range: see E105.
 /// Manual: 2.4 L142 L154, 2.2 L103.
 /// Manual, the type, access and mapping: 6.3 T6-3 L1273.
@@ -2544,7 +2544,7 @@ pub const SERVO_PARAMETER_GROUP_2_76: Object<i32, Rw, Unmapped, Raw> = Object::n
 #[doc(alias = "3001")]
 #[doc(alias = "P2.77")]
 pub const INITIAL_DISPLAY_OF_THE_KEYPAD: Object<enums::KeypadDisplay, Rw, Unmapped, Raw> =
-    Object::new(0x3001, 0x4D).range(0, i64::MAX);
+    Object::new(0x3001, 0x4D).at_least(0);
 
 /// Servo Parameter Group 2, `3001:4E`: INTEGER32, rw, not mapped.
 ///
@@ -5215,7 +5215,7 @@ pub const MAX_POSITION_LIMIT: Object<i32, Rw, RxTx, UserPosition> =
 
 /// Maximal Profile Velocity, `607F:00`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
-/// In 0.1 rpm; to 60000 (to 6000 rpm); default 30000 (3000 rpm).
+/// In 0.1 rpm; at most 60000 (at most 6000 rpm); default 30000 (3000 rpm).
 /// Note: The range is printed as one value, the upper limit. Range and default are printed in r/min. A parameter switches the unit (L1261), by its name P4.15 (L151).
 /// Manual: 6.2 T6-2 L1234.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
@@ -5225,11 +5225,11 @@ pub const MAX_POSITION_LIMIT: Object<i32, Rw, RxTx, UserPosition> =
 /// Erratum E036, unit: printed "0.1 rpm". As for E013. Kept.
 #[doc(alias = "607F")]
 pub const MAXIMAL_PROFILE_VELOCITY: Object<u32, Rw, RxTx, Velocity> =
-    Object::new(0x607F, 0x00).range(i64::MIN, 60_000).scale(1, 10);
+    Object::new(0x607F, 0x00).at_most(60_000).scale(1, 10);
 
 /// Maximal Motor Speed, `6080:00`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
-/// In 0.1 rpm; to 60000 (to 6000 rpm); default 30000 (3000 rpm).
+/// In 0.1 rpm; at most 60000 (at most 6000 rpm); default 30000 (3000 rpm).
 /// Note: The range is printed as one value, the upper limit. Range and default are printed in r/min.
 /// Manual: 6.2 T6-2 L1235.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
@@ -5239,7 +5239,7 @@ pub const MAXIMAL_PROFILE_VELOCITY: Object<u32, Rw, RxTx, Velocity> =
 /// Erratum E033, name: printed "Maximal Motor Speed". 4.5 has Maximum Motor Speed. Kept, the one that four tables print.
 #[doc(alias = "6080")]
 pub const MAXIMAL_MOTOR_SPEED: Object<u32, Rw, RxTx, Velocity> =
-    Object::new(0x6080, 0x00).range(i64::MIN, 60_000).scale(1, 10);
+    Object::new(0x6080, 0x00).at_most(60_000).scale(1, 10);
 
 /// Profile Velocity, `6081:00`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///

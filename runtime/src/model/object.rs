@@ -92,6 +92,20 @@ impl<'m> ObjectDesc<'m> {
         self
     }
 
+    /// With the lowest raw value, where no highest is stated.
+    #[must_use]
+    pub const fn at_least(mut self, min: i64) -> Self {
+        self.min = min;
+        self
+    }
+
+    /// With the highest raw value, where no lowest is stated.
+    #[must_use]
+    pub const fn at_most(mut self, max: i64) -> Self {
+        self.max = max;
+        self
+    }
+
     /// With the raw value as the drive ships.
     #[must_use]
     pub const fn default_int(mut self, default: i64) -> Self {

@@ -85,6 +85,36 @@ impl<T, A, M, Q> Object<T, A, M, Q> {
         self
     }
 
+    /// With the lowest raw value that the drive accepts, where no highest is stated.
+    ///
+    /// ```
+    /// use drivewright_runtime::prelude::*;
+    ///
+    /// const DISPLAY: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x4D).at_least(0);
+    ///
+    /// assert!(DISPLAY.check(i32::MAX).is_ok() && DISPLAY.check(-1).is_err());
+    /// ```
+    #[must_use]
+    pub const fn at_least(mut self, min: i64) -> Self {
+        self.min = min;
+        self
+    }
+
+    /// With the highest raw value that the drive accepts, where no lowest is stated.
+    ///
+    /// ```
+    /// use drivewright_runtime::prelude::*;
+    ///
+    /// const SPEED: Object<u32, Rw, Unmapped, Raw> = Object::new(0x607F, 0).at_most(60_000);
+    ///
+    /// assert!(SPEED.check(0).is_ok() && SPEED.check(60_001).is_err());
+    /// ```
+    #[must_use]
+    pub const fn at_most(mut self, max: i64) -> Self {
+        self.max = max;
+        self
+    }
+
     /// With the only raw values that the drive accepts. An empty list means that none is stated.
     ///
     /// ```

@@ -57,8 +57,17 @@ fn allow(entry: &Entry, handle: &Handle<'_>) -> String {
 
 fn range(entry: &Entry, handle: &Handle<'_>) -> String {
     let Some((min, max)) = handle.range else { return String::new() };
-    let side = |n: Option<i128>, none: &str| n.map_or_else(|| none.to_owned(), |n| literal(entry, n));
-    format!(".range({}, {})", side(min, "i64::MIN"), side(max, "i64::MAX"))
+    limits(min.map(|n| literal(entry, n)), max.map(|n| literal(entry, n)))
+}
+
+/// The call that sets the limits which are stated.
+pub(super) fn limits(min: Option<String>, max: Option<String>) -> String {
+    match (min, max) {
+        (Some(min), Some(max)) => format!(".range({min}, {max})"),
+        (Some(min), None) => format!(".at_least({min})"),
+        (None, Some(max)) => format!(".at_most({max})"),
+        (None, None) => String::new(),
+    }
 }
 
 fn scale(entry: &Entry) -> String {

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::handles::limits;
 use super::items;
 use super::lower::{Lowered, access, meaning_of, quantity, units};
 use super::number::{grouped, hex};
@@ -68,17 +69,8 @@ fn object(entry: &Entry, units: &[&Unit]) -> String {
         access(entry),
         rust_str(&entry.name.value)
     );
-    if entry.min.is_some() || entry.max.is_some() {
-        let side = |f: Option<&Fact<i128>>, none: &str| {
-            f.map_or_else(|| none.to_owned(), |f| pattern(entry, f.value))
-        };
-        let _ = write!(
-            row,
-            ".range({}, {})",
-            side(entry.min.as_ref(), "i64::MIN"),
-            side(entry.max.as_ref(), "i64::MAX")
-        );
-    }
+    let limit = |f: &Option<Fact<i128>>| f.as_ref().map(|f| pattern(entry, f.value));
+    row.push_str(&limits(limit(&entry.min), limit(&entry.max)));
     if let Some(default) = entry.default_int() {
         let _ = write!(row, ".default_int({})", pattern(entry, default.value));
     }

@@ -37,8 +37,8 @@ fn range(entry: &Entry) -> Option<String> {
     let (min, max) = (entry.min.as_ref().map(of), entry.max.as_ref().map(of));
     let span = |number: &dyn Fn(i128) -> String| match (min, max) {
         (Some(min), Some(max)) => Some(format!("{} to {}", number(min), number(max))),
-        (Some(min), None) => Some(format!("from {}", number(min))),
-        (None, Some(max)) => Some(format!("to {}", number(max))),
+        (Some(min), None) => Some(format!("at least {}", number(min))),
+        (None, Some(max)) => Some(format!("at most {}", number(max))),
         (None, None) => None,
     };
     let counts = span(&|n| shown(entry, n))?;

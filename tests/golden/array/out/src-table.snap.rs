@@ -12,9 +12,9 @@ pub static UNITS: [UnitDesc<'static>; 0] = [];
 /// Entries of the dictionary, by address.
 pub static OBJECTS: [ObjectDesc<'static>; 4] = [
     ObjectDesc::new(Address::new(0x2010, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Number of gains").default_int(3),
-    ObjectDesc::new(Address::new(0x2010, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Position gain").range(i64::MIN, 1000).default_int(40),
-    ObjectDesc::new(Address::new(0x2010, 0x02), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Velocity gain").range(i64::MIN, 1000).default_int(50),
-    ObjectDesc::new(Address::new(0x2010, 0x03), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Current gain").range(i64::MIN, 1000).default_int(60),
+    ObjectDesc::new(Address::new(0x2010, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Position gain").at_most(1000).default_int(40),
+    ObjectDesc::new(Address::new(0x2010, 0x02), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Velocity gain").at_most(1000).default_int(50),
+    ObjectDesc::new(Address::new(0x2010, 0x03), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Current gain").at_most(1000).default_int(60),
 ];
 
 /// Entries that take listed values only, by address.

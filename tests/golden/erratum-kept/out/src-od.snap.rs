@@ -7,10 +7,9 @@ use drivewright_runtime::prelude::*;
 
 /// Speed, `2000:00`: UNSIGNED16, rw, mapping not stated.
 ///
-/// To 3000.
+/// At most 3000.
 /// Manual: 4.2 L20.
 ///
 /// Erratum E01, max: printed 3000, kept. chapter 6 says 6000
 #[doc(alias = "2000")]
-pub const SPEED: Object<u16, Rw, MapNotStated, Raw> =
-    Object::new(0x2000, 0x00).range(i64::MIN, 3000);
+pub const SPEED: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00).at_most(3000);

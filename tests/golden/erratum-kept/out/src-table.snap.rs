@@ -11,7 +11,7 @@ pub static UNITS: [UnitDesc<'static>; 0] = [];
 
 /// Entries of the dictionary, by address.
 pub static OBJECTS: [ObjectDesc<'static>; 1] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Speed").range(i64::MIN, 3000),
+    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Speed").at_most(3000),
 ];
 
 /// Entries that take listed values only, by address.

@@ -23,7 +23,7 @@ pub const MODES_OF_OPERATION: Object<i8, Rw, Rx, Raw> = Object::new(0x6060, 0x00
 
 /// Following error window, `6065:00`: UNSIGNED32, rw, mapping not stated.
 ///
-/// From 1.
+/// At least 1.
 /// Manual: 4.2 L10.
 /// The name is standard: cia402.
 /// The type is standard: cia402.
@@ -36,4 +36,4 @@ pub const MODES_OF_OPERATION: Object<i8, Rw, Rx, Raw> = Object::new(0x6060, 0x00
 /// Erratum E3, pdo: printed "tx", dropped. The standard has the other direction, and nothing says which.
 #[doc(alias = "6065")]
 pub const FOLLOWING_ERROR_WINDOW: Object<u32, Rw, MapNotStated, Raw> =
-    Object::new(0x6065, 0x00).range(1, i64::MAX);
+    Object::new(0x6065, 0x00).at_least(1);

@@ -12,7 +12,7 @@ pub static UNITS: [UnitDesc<'static>; 0] = [];
 /// Entries of the dictionary, by address.
 pub static OBJECTS: [ObjectDesc<'static>; 2] = [
     ObjectDesc::new(Address::new(0x6060, 0x00), DataType::INTEGER8, Access::Rw, Mapping::Rx, "Modes of operation").default_int(1),
-    ObjectDesc::new(Address::new(0x6065, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Following error window").range(1, i64::MAX),
+    ObjectDesc::new(Address::new(0x6065, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Following error window").at_least(1),
 ];
 
 /// Entries that take listed values only, by address.

@@ -17,7 +17,7 @@ pub const I64: Object<i64, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);
 /// 0 to 18446744073709551615; only 9007199254740991, 9007199254740992, 18446744073709551615; default 9007199254740992.
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const U64: Object<u64, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00).range(0, i64::MAX);
+pub const U64: Object<u64, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00).at_least(0);
 
 /// Upper half, `2002:00`: UNSIGNED64, rw, mapping not stated.
 ///

@@ -39,32 +39,31 @@ pub const I56: Object<I56, Rw, MapNotStated, Raw> =
 
 /// U24, `2004:00`: UNSIGNED24, rw, mapping not stated.
 ///
-/// To 16777215; default 16777215.
+/// At most 16777215; default 16777215.
 /// Manual: 2 L5.
 #[doc(alias = "2004")]
-pub const U24: Object<U24, Rw, MapNotStated, Raw> =
-    Object::new(0x2004, 0x00).range(i64::MIN, 16_777_215);
+pub const U24: Object<U24, Rw, MapNotStated, Raw> = Object::new(0x2004, 0x00).at_most(16_777_215);
 
 /// U40, `2005:00`: UNSIGNED40, rw, mapping not stated.
 ///
-/// To 1099511627775; default 1099511627775.
+/// At most 1099511627775; default 1099511627775.
 /// Manual: 2 L6.
 #[doc(alias = "2005")]
 pub const U40: Object<U40, Rw, MapNotStated, Raw> =
-    Object::new(0x2005, 0x00).range(i64::MIN, 1_099_511_627_775);
+    Object::new(0x2005, 0x00).at_most(1_099_511_627_775);
 
 /// U48, `2006:00`: UNSIGNED48, rw, mapping not stated.
 ///
-/// To 281474976710655; default 6.
+/// At most 281474976710655; default 6.
 /// Manual: 2 L7.
 #[doc(alias = "2006")]
 pub const U48: Object<U48, Rw, MapNotStated, Raw> =
-    Object::new(0x2006, 0x00).range(i64::MIN, 281_474_976_710_655);
+    Object::new(0x2006, 0x00).at_most(281_474_976_710_655);
 
 /// U56, `2007:00`: UNSIGNED56, rw, mapping not stated.
 ///
-/// To 72057594037927935; default 7.
+/// At most 72057594037927935; default 7.
 /// Manual: 2 L8.
 #[doc(alias = "2007")]
 pub const U56: Object<U56, Rw, MapNotStated, Raw> =
-    Object::new(0x2007, 0x00).range(i64::MIN, 72_057_594_037_927_935);
+    Object::new(0x2007, 0x00).at_most(72_057_594_037_927_935);

@@ -15,10 +15,10 @@ pub static OBJECTS: [ObjectDesc<'static>; 8] = [
     ObjectDesc::new(Address::new(0x2001, 0x00), DataType::INTEGER40, Access::Rw, Mapping::NotStated, "I40").range(-549_755_813_888, 549_755_813_887).default_int(-2),
     ObjectDesc::new(Address::new(0x2002, 0x00), DataType::INTEGER48, Access::Rw, Mapping::NotStated, "I48").range(-140_737_488_355_328, 140_737_488_355_327).default_int(-3),
     ObjectDesc::new(Address::new(0x2003, 0x00), DataType::INTEGER56, Access::Rw, Mapping::NotStated, "I56").range(-36_028_797_018_963_968, 36_028_797_018_963_967).default_int(-4),
-    ObjectDesc::new(Address::new(0x2004, 0x00), DataType::UNSIGNED24, Access::Rw, Mapping::NotStated, "U24").range(i64::MIN, 16_777_215).default_int(16_777_215),
-    ObjectDesc::new(Address::new(0x2005, 0x00), DataType::UNSIGNED40, Access::Rw, Mapping::NotStated, "U40").range(i64::MIN, 1_099_511_627_775).default_int(1_099_511_627_775),
-    ObjectDesc::new(Address::new(0x2006, 0x00), DataType::UNSIGNED48, Access::Rw, Mapping::NotStated, "U48").range(i64::MIN, 281_474_976_710_655).default_int(6),
-    ObjectDesc::new(Address::new(0x2007, 0x00), DataType::UNSIGNED56, Access::Rw, Mapping::NotStated, "U56").range(i64::MIN, 72_057_594_037_927_935).default_int(7),
+    ObjectDesc::new(Address::new(0x2004, 0x00), DataType::UNSIGNED24, Access::Rw, Mapping::NotStated, "U24").at_most(16_777_215).default_int(16_777_215),
+    ObjectDesc::new(Address::new(0x2005, 0x00), DataType::UNSIGNED40, Access::Rw, Mapping::NotStated, "U40").at_most(1_099_511_627_775).default_int(1_099_511_627_775),
+    ObjectDesc::new(Address::new(0x2006, 0x00), DataType::UNSIGNED48, Access::Rw, Mapping::NotStated, "U48").at_most(281_474_976_710_655).default_int(6),
+    ObjectDesc::new(Address::new(0x2007, 0x00), DataType::UNSIGNED56, Access::Rw, Mapping::NotStated, "U56").at_most(72_057_594_037_927_935).default_int(7),
 ];
 
 /// Entries that take listed values only, by address.

@@ -15,16 +15,16 @@ pub const ONLY_BELOW_ZERO: Object<i32, Rw, MapNotStated, Raw> =
 
 /// Only a minimum, `2001:00`: INTEGER16, rw, mapping not stated.
 ///
-/// From -1.
+/// At least -1.
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
 pub const ONLY_A_MINIMUM: Object<i16, Rw, MapNotStated, Raw> =
-    Object::new(0x2001, 0x00).range(-1, i64::MAX);
+    Object::new(0x2001, 0x00).at_least(-1);
 
 /// Only a maximum, `2002:00`: INTEGER16, rw, mapping not stated.
 ///
-/// To -1; default -32768.
+/// At most -1; default -32768.
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
 pub const ONLY_A_MAXIMUM: Object<i16, Rw, MapNotStated, Raw> =
-    Object::new(0x2002, 0x00).range(i64::MIN, -1);
+    Object::new(0x2002, 0x00).at_most(-1);

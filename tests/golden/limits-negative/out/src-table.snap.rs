@@ -12,8 +12,8 @@ pub static UNITS: [UnitDesc<'static>; 0] = [];
 /// Entries of the dictionary, by address.
 pub static OBJECTS: [ObjectDesc<'static>; 3] = [
     ObjectDesc::new(Address::new(0x2000, 0x00), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "Only below zero").range(-2_000_000_000, -1).default_int(-5),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::INTEGER16, Access::Rw, Mapping::NotStated, "Only a minimum").range(-1, i64::MAX),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::INTEGER16, Access::Rw, Mapping::NotStated, "Only a maximum").range(i64::MIN, -1).default_int(-32_768),
+    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::INTEGER16, Access::Rw, Mapping::NotStated, "Only a minimum").at_least(-1),
+    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::INTEGER16, Access::Rw, Mapping::NotStated, "Only a maximum").at_most(-1).default_int(-32_768),
 ];
 
 /// Entries that take listed values only, by address.

@@ -7,11 +7,10 @@ use drivewright_runtime::prelude::*;
 
 /// Hex, `2000:00`: UNSIGNED16, rw, mapping not stated.
 ///
-/// To 65535; default 255.
+/// At most 65535; default 255.
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const HEX: Object<u16, Rw, MapNotStated, Raw> =
-    Object::new(0x2000, 0x00).range(i64::MIN, 65_535);
+pub const HEX: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00).at_most(65_535);
 
 /// Binary, `2001:00`: UNSIGNED8, rw, mapping not stated.
 ///

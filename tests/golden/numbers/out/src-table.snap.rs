@@ -11,7 +11,7 @@ pub static UNITS: [UnitDesc<'static>; 0] = [];
 
 /// Entries of the dictionary, by address.
 pub static OBJECTS: [ObjectDesc<'static>; 5] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Hex").range(i64::MIN, 65_535).default_int(255),
+    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Hex").at_most(65_535).default_int(255),
     ObjectDesc::new(Address::new(0x2001, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "Binary").default_int(165),
     ObjectDesc::new(Address::new(0x2002, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Octal").default_int(511),
     ObjectDesc::new(Address::new(0x2003, 0x00), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "Grouped").range(-2_000_000_000, 2_000_000_000),

@@ -78,10 +78,10 @@ pub const GAIN_OF_THE_LOOP: Object<u16, Ro, Unmapped, Frequency> =
 ///
 /// A new value takes effect at once.
 /// One of five.
-/// In 0.1 Hz; from 0 (from 0 Hz); default 10 (1 Hz).
+/// In 0.1 Hz; at least 0 (at least 0 Hz); default 10 (1 Hz).
 /// Manual: 6 L2.
 ///
 /// Erratum E2, max: printed 50, dropped. No unit fits it.
 #[doc(alias = "3000")]
 pub const GAIN_5: Object<u16, Rw, Unmapped, Frequency> =
-    Object::new(0x3000, 0x05).range(0, i64::MAX).scale(1, 10);
+    Object::new(0x3000, 0x05).at_least(0).scale(1, 10);

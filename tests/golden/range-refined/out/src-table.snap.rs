@@ -18,7 +18,7 @@ pub static OBJECTS: [ObjectDesc<'static>; 6] = [
     ObjectDesc::new(Address::new(0x3000, 0x02), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Gain").range(0, 1000).default_int(25).unit(0),
     ObjectDesc::new(Address::new(0x3000, 0x03), DataType::INTEGER16, Access::Rw, Mapping::Unmapped, "Notch").range(-5, 1000).default_int(10).unit(0),
     ObjectDesc::new(Address::new(0x3000, 0x04), DataType::UNSIGNED16, Access::Ro, Mapping::Unmapped, "Gain").range(0, 1000).default_int(10).unit(0),
-    ObjectDesc::new(Address::new(0x3000, 0x05), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Gain").range(0, i64::MAX).default_int(10).unit(0),
+    ObjectDesc::new(Address::new(0x3000, 0x05), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Gain").at_least(0).default_int(10).unit(0),
 ];
 
 /// Entries that take listed values only, by address.

@@ -17,17 +17,17 @@ pub const PARAMETERS: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x3000, 0x
 
 /// P1, `3000:09`: INTEGER32, rw, not mapped.
 ///
-/// From -5; default 2.
+/// At least -5; default 2.
 /// Manual: 2 L3.
 #[doc(alias = "3000")]
-pub const P1_9: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x09).range(-5, i64::MAX);
+pub const P1_9: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x09).at_least(-5);
 
 /// P1, `3000:0A`: INTEGER32, rw, not mapped.
 ///
-/// From -5; default 2.
+/// At least -5; default 2.
 /// Manual: 2 L3.
 #[doc(alias = "3000")]
-pub const P1_10: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x0A).range(-5, i64::MAX);
+pub const P1_10: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x0A).at_least(-5);
 
 /// P1 last, `3000:0B`: INTEGER32, rw, mapping not stated.
 ///

@@ -12,8 +12,8 @@ pub static UNITS: [UnitDesc<'static>; 0] = [];
 /// Entries of the dictionary, by address.
 pub static OBJECTS: [ObjectDesc<'static>; 7] = [
     ObjectDesc::new(Address::new(0x3000, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Parameters").default_int(11),
-    ObjectDesc::new(Address::new(0x3000, 0x09), DataType::INTEGER32, Access::Rw, Mapping::Unmapped, "P1").range(-5, i64::MAX).default_int(2),
-    ObjectDesc::new(Address::new(0x3000, 0x0A), DataType::INTEGER32, Access::Rw, Mapping::Unmapped, "P1").range(-5, i64::MAX).default_int(2),
+    ObjectDesc::new(Address::new(0x3000, 0x09), DataType::INTEGER32, Access::Rw, Mapping::Unmapped, "P1").at_least(-5).default_int(2),
+    ObjectDesc::new(Address::new(0x3000, 0x0A), DataType::INTEGER32, Access::Rw, Mapping::Unmapped, "P1").at_least(-5).default_int(2),
     ObjectDesc::new(Address::new(0x3000, 0x0B), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "P1 last"),
     ObjectDesc::new(Address::new(0x3001, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Count").default_int(2),
     ObjectDesc::new(Address::new(0x3001, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "4th group"),

@@ -7,12 +7,11 @@ use drivewright_runtime::prelude::*;
 
 /// Counter, `2000:00`: UNSIGNED16, ro, mapping not stated.
 ///
-/// To 65535.
+/// At most 65535.
 /// Manual: 2 L1.
 /// The type is inferred: width from the printed range.
 #[doc(alias = "2000")]
-pub const COUNTER: Object<u16, Ro, MapNotStated, Raw> =
-    Object::new(0x2000, 0x00).range(i64::MIN, 65_535);
+pub const COUNTER: Object<u16, Ro, MapNotStated, Raw> = Object::new(0x2000, 0x00).at_most(65_535);
 
 /// Reserve, `2001:00`: UNSIGNED8, rw, mapping not stated.
 ///
@@ -25,9 +24,9 @@ pub const RESERVE: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00)
 
 /// Both, `2002:00`: INTEGER32, rw, mapping not stated.
 ///
-/// From -1.
+/// At least -1.
 /// Manual: 2 L3.
 /// The access is assumed: not printed.
 /// The minimum is inferred: unit of the neighbour.
 #[doc(alias = "2002")]
-pub const BOTH: Object<i32, Rw, MapNotStated, Raw> = Object::new(0x2002, 0x00).range(-1, i64::MAX);
+pub const BOTH: Object<i32, Rw, MapNotStated, Raw> = Object::new(0x2002, 0x00).at_least(-1);

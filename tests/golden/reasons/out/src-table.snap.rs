@@ -11,9 +11,9 @@ pub static UNITS: [UnitDesc<'static>; 0] = [];
 
 /// Entries of the dictionary, by address.
 pub static OBJECTS: [ObjectDesc<'static>; 3] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED16, Access::Ro, Mapping::NotStated, "Counter").range(i64::MIN, 65_535),
+    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED16, Access::Ro, Mapping::NotStated, "Counter").at_most(65_535),
     ObjectDesc::new(Address::new(0x2001, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "Reserve").default_int(0),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "Both").range(-1, i64::MAX),
+    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "Both").at_least(-1),
 ];
 
 /// Entries that take listed values only, by address.

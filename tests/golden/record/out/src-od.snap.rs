@@ -17,11 +17,10 @@ pub const HIGHEST_SUB_INDEX: Object<u8, Const, MapNotStated, Raw> = Object::new(
 
 /// Numerator, `2020:01`: UNSIGNED32, rw, mapping not stated.
 ///
-/// From 1; default 1.
+/// At least 1; default 1.
 /// Manual: 2 L3.
 #[doc(alias = "2020")]
-pub const NUMERATOR: Object<u32, Rw, MapNotStated, Raw> =
-    Object::new(0x2020, 0x01).range(1, i64::MAX);
+pub const NUMERATOR: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x2020, 0x01).at_least(1);
 
 /// Inverted, `2020:05`: BOOLEAN, rw, mapping not stated.
 ///

@@ -12,7 +12,7 @@ pub static UNITS: [UnitDesc<'static>; 0] = [];
 /// Entries of the dictionary, by address.
 pub static OBJECTS: [ObjectDesc<'static>; 3] = [
     ObjectDesc::new(Address::new(0x2020, 0x00), DataType::UNSIGNED8, Access::Const, Mapping::NotStated, "Highest sub-index").default_int(5),
-    ObjectDesc::new(Address::new(0x2020, 0x01), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Numerator").range(1, i64::MAX).default_int(1),
+    ObjectDesc::new(Address::new(0x2020, 0x01), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Numerator").at_least(1).default_int(1),
     ObjectDesc::new(Address::new(0x2020, 0x05), DataType::BOOLEAN, Access::Rw, Mapping::NotStated, "Inverted"),
 ];
 

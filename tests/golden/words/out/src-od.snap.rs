@@ -81,11 +81,11 @@ pub const ANGLE: Object<u16, Rw, MapNotStated, Angle> =
 
 /// Torque, `2002:00`: UNSIGNED16, rw, mapping not stated.
 ///
-/// In 0.1 % rated torque; to 3000 (to 300 % rated torque).
+/// In 0.1 % rated torque; at most 3000 (at most 300 % rated torque).
 /// Manual: 2 L8.
 #[doc(alias = "2002")]
 pub const TORQUE: Object<u16, Rw, MapNotStated, TorqueRatio> =
-    Object::new(0x2002, 0x00).range(i64::MIN, 3000).scale(1, 1000);
+    Object::new(0x2002, 0x00).at_most(3000).scale(1, 1000);
 
 /// Option, `2003:00`: UNSIGNED16, rw, mapping not stated.
 ///

@@ -26,7 +26,7 @@ pub static OBJECTS: [ObjectDesc<'static>; 16] = [
     ObjectDesc::new(Address::new(0x1C12, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Assigned PDO").range(0x1600, 0x1603).default_int(0x1600),
     ObjectDesc::new(Address::new(0x2000, 0x00), DataType::INTEGER32, Access::Rw, Mapping::Rx, "Speed").range(-60_000, 60_000).default_int(505).unit(1),
     ObjectDesc::new(Address::new(0x2001, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Angle").range(0, 719).default_int(90).unit(2),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Torque").range(i64::MIN, 3000).unit(3),
+    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Torque").at_most(3000).unit(3),
     ObjectDesc::new(Address::new(0x2003, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Option").default_int(11).values(0),
     ObjectDesc::new(Address::new(0x2004, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Choice").range(10, 11).default_int(10).values(0),
     ObjectDesc::new(Address::new(0x2005, 0x00), DataType::UNSIGNED16, Access::Ro, Mapping::NotStated, "Version").range(20, 20).default_int(20),
