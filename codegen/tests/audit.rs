@@ -93,6 +93,10 @@ const CHANGES: &[(&str, &str, &str)] = &[
     ("src = \"2 L7\"", "src = \"2 L6\"", "unproved: object 2001:02 name"),
     ("src = \"2 L6\"", "src = \"2 L6 L8\"", "idle line: object 2001:01 L8"),
     ("src = \"2 L6\"", "src = \"2 L6 L6\"", "idle line: object 2001:01 L6"),
+    // Another line shows it, but the row has a cell of its own.
+    ("default = 7, src = \"2 L7\"", "default = -5, src = \"2 L6 L7\"", "unproved: object 2001:02 default"),
+    // Two whole numbers do not join.
+    ("default = 7, src = \"2 L7\"", "default = 27, src = \"2 L5 L7\"", "unproved: object 2001:02 default"),
     ("seen = \"2 L4\"", "seen = \"3 L11\"", "unproved: erratum E1 was L11"),
 ];
 

@@ -94,7 +94,7 @@ fn default_shown(words: &Words<'_>, cell: &str, value: &str, unit: Option<&str>)
         || words.means("default", cell, value)
 }
 
-/// Whether a cell that the extract has split over the cited lines shows the value.
+/// Whether a cell that the extract has split over two cited lines shows the value: one part says nothing by itself.
 pub(super) fn shows_split(words: &Words<'_>, row: &Row<'_>, fact: &FactLine<'_>, lines: &[&Line]) -> bool {
     let column = match fact.field.as_ref() {
         "min" | "max" | "allow" => "range",
@@ -102,13 +102,20 @@ pub(super) fn shows_split(words: &Words<'_>, row: &Row<'_>, fact: &FactLine<'_>,
         _ => return false,
     };
     let parts: Vec<&str> = lines.iter().filter_map(|l| l.cell(column)).collect();
-    let joined = parts.concat();
     let unit = row.value("unit");
-    parts.len() > 1
-        && match column {
+    let pairs = parts.iter().zip(parts.iter().skip(1));
+    pairs.filter(|(first, rest)| is_part(column, first) || rest.starts_with('~')).any(|(first, rest)| {
+        let joined = format!("{first}{rest}");
+        match column {
             "range" => range_shown(&joined, fact.field.as_ref(), &fact.value, unit),
             _ => default_shown(words, &joined, &fact.value, unit),
         }
+    })
+}
+
+/// Whether a cell is no number or range by itself.
+fn is_part(column: &str, cell: &str) -> bool {
+    if column == "range" { Range::parse(cell).is_none() } else { Number::parse(cell).is_none() }
 }
 
 pub(super) fn pdo_anchors(row: &Row<'_>, line: &Line) -> bool {

@@ -44,12 +44,23 @@ impl Words<'_> {
         if fact.erratum.is_some() && lines.iter().any(|l| corrects(fact, l)) {
             return true;
         }
-        let anchored = |line: &&&Line| self.anchors(row, line);
-        lines.iter().any(|l| anchored(&l))
-            && (lines.iter().filter(anchored).any(|l| self.shows(row, fact, l))
-                || spans(fact) && lines.iter().any(|l| self.shows(row, fact, l))
-                || spans(fact) && dictionary::shows_split(self, row, fact, &lines))
+        let own: Vec<&Line> = lines.iter().copied().filter(|line| self.anchors(row, line)).collect();
+        !own.is_empty()
+            && (own.iter().any(|l| self.shows(row, fact, l))
+                || spans(fact)
+                    && own.iter().all(|l| is_open(fact, l))
+                    && lines.iter().any(|l| self.shows(row, fact, l))
+                || dictionary::shows_split(self, row, fact, &lines))
     }
+}
+
+/// Whether the row's own line leaves the value to another one: without the cell, or with a part of it.
+fn is_open(fact: &FactLine<'_>, line: &Line) -> bool {
+    let column = match fact.field.as_ref() {
+        "min" | "max" | "allow" => "range",
+        field => field,
+    };
+    line.cell(column).is_none_or(|cell| cell.starts_with('~') || cell.ends_with('~'))
 }
 
 /// Whether the line prints, anywhere, the name that an erratum has taken from there.
@@ -61,7 +72,10 @@ pub(super) fn corrects(fact: &FactLine<'_>, line: &Line) -> bool {
 
 /// Whether a cell of the key can stand for several rows, so that it is printed in another one.
 fn spans(fact: &FactLine<'_>) -> bool {
-    !matches!(fact.field.as_ref(), "name" | "type" | "access" | "number" | "code" | "label")
+    !matches!(
+        fact.field.as_ref(),
+        "name" | "type" | "access" | "number" | "code" | "aux" | "label" | "pin" | "bits" | "entry"
+    )
 }
 
 /// Whether the words of the fact are the profile's own.

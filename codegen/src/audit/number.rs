@@ -12,6 +12,9 @@ pub(super) struct Number {
 impl Number {
     /// Reads a cell that holds one number, or the parts of one that the extract has split.
     pub(super) fn parse(text: &str) -> Option<Self> {
+        if !is_one(text) {
+            return None;
+        }
         let compact: String = text.chars().filter(|c| !c.is_whitespace()).collect();
         let (body, percent) = compact.strip_suffix('%').map_or((compact.as_str(), false), |b| (b, true));
         let (negative, body) = match body.strip_prefix('-') {
@@ -38,10 +41,19 @@ impl Number {
 
     /// The count that it stands for, where one count is `num / den` of the printed unit.
     pub(super) fn count(self, (num, den): (i128, i128)) -> Option<i128> {
-        let (top, bottom) = if self.physical { (self.digits * den, num) } else { (self.digits, 1) };
-        let bottom = bottom * 10_i128.checked_pow(self.places)?;
+        let (top, bottom) =
+            if self.physical { (self.digits.checked_mul(den)?, num) } else { (self.digits, 1) };
+        let bottom = bottom.checked_mul(10_i128.checked_pow(self.places)?)?;
         (bottom != 0 && top % bottom == 0).then(|| top / bottom)
     }
+}
+
+/// Whether the words of a cell can be one number: extracts break it only where it was too wide for its column.
+fn is_one(text: &str) -> bool {
+    const WIDE: usize = 6;
+    let mut words = text.split_whitespace();
+    let first = words.next().unwrap_or_default().trim_start_matches(['-', '+']);
+    words.all(|word| matches!(word, "%" | "h" | "H") || first.len() >= WIDE)
 }
 
 /// The leading factor of a unit as a profile writes it: `0.1 rpm` is 1/10.
@@ -109,6 +121,7 @@ mod tests {
         assert_eq!(count("604100 h", "x"), Some(0x0060_4100));
         assert_eq!(count("0x1A00", "x"), Some(0x1A00));
         assert_eq!(count("300.0 %", "0.1 %"), Some(3_000));
+        assert_eq!((count("0 1", "x"), count("1 0 %", "x"), count("- 5", "x")), (None, None, None));
         assert_eq!((count("", "x"), count("-", "x"), count("1-2", "x")), (None, None, None));
     }
 
