@@ -92,15 +92,28 @@ impl Range {
     }
 }
 
+/// The values that a cell lists with their labels: `0: off 1~99: alarm` gives (`0`, `off`) and (`1~99`, `alarm`).
+pub(super) fn labels(text: &str) -> Vec<(&str, &str)> {
+    let inside = |c: char| c.is_ascii_digit() || c == '~';
+    let start = |colon: usize| {
+        let before = text[..colon].trim_end();
+        before.rfind(|c| !inside(c)).map_or(0, |n| n + before[n..].chars().next().map_or(1, char::len_utf8))
+    };
+    let keys: Vec<(usize, usize)> = text
+        .match_indices(':')
+        .map(|(colon, _)| (start(colon), colon))
+        .filter(|(start, colon)| text[*start..*colon].contains(|c: char| c.is_ascii_digit()))
+        .collect();
+    let ends = keys.iter().skip(1).map(|(start, _)| *start).chain([text.len()]);
+    let label = |((start, colon), end): (&(usize, usize), usize)| {
+        (text[*start..*colon].trim(), text.get(*colon + 1..end).unwrap_or_default().trim())
+    };
+    keys.iter().zip(ends).map(label).collect()
+}
+
 /// The values in front of colons: `0: off 1: on` gives 0 and 1; `1~99: ...` gives both ends.
 pub(super) fn keyed(text: &str) -> Vec<i128> {
-    let mut found = Vec::new();
-    for (at, _) in text.match_indices(':') {
-        let before = text[..at].trim_end();
-        let start = before.rfind(|c: char| !c.is_ascii_digit() && c != '~').map_or(0, |n| n + 1);
-        found.extend(before[start..].split('~').filter_map(|n| n.parse::<i128>().ok()));
-    }
-    found
+    labels(text).iter().flat_map(|(key, _)| key.split('~')).filter_map(|n| n.trim().parse().ok()).collect()
 }
 
 #[cfg(test)]
@@ -136,6 +149,7 @@ mod tests {
         assert_eq!(ends("0~42 0: Action mode 1: Speed"), Some((0, 42)));
         assert!(matches!(Range::parse("0,1,5"), Some(Range::List(list)) if list.len() == 3));
         assert_eq!(Range::parse("Refer to"), None);
+        assert_eq!(labels("0~2 0: off 1: on 11: x"), [("0", "off"), ("1", "on"), ("11", "x")]);
         assert_eq!(keyed("0: no detection 1~99: alarm"), [0, 1, 99]);
     }
 }
