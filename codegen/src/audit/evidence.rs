@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::page::{Line, Page};
 use super::words::{self, Row, Words};
-use super::{behaviour, dictionary};
+use super::{behaviour, dictionary, number};
 use crate::facts::{FactLine, Table};
 use crate::model::Erratum;
 
@@ -41,16 +41,15 @@ impl Words<'_> {
         if let Some(proved) = behaviour::proves_whole(self, row, fact, &lines) {
             return proved;
         }
-        if fact.erratum.is_some() && lines.iter().any(|l| corrects(fact, l)) {
-            return true;
-        }
         let own: Vec<&Line> = lines.iter().copied().filter(|line| self.anchors(row, line)).collect();
-        !own.is_empty()
-            && (own.iter().any(|l| self.shows(row, fact, l))
-                || spans(fact)
-                    && own.iter().all(|l| is_open(fact, l))
-                    && lines.iter().any(|l| self.shows(row, fact, l))
-                || dictionary::shows_split(self, row, fact, &lines))
+        if own.is_empty() {
+            return lines.iter().any(|l| corrects(fact, l));
+        }
+        own.iter().any(|l| self.shows(row, fact, l))
+            || spans(fact)
+                && own.iter().all(|l| is_open(fact, l))
+                && lines.iter().any(|l| self.shows(row, fact, l))
+            || dictionary::shows_split(self, row, fact, &lines)
     }
 }
 
@@ -63,11 +62,14 @@ fn is_open(fact: &FactLine<'_>, line: &Line) -> bool {
     line.cell(column).is_none_or(|cell| cell.starts_with('~') || cell.ends_with('~'))
 }
 
-/// Whether the line prints, anywhere, the name that an erratum has taken from there.
+/// Whether the line has the name that an erratum has taken from there: as a cell, a label in one, or its title. Such a line
+/// is of another row, which is why it counts only where no line of the row itself is cited.
 pub(super) fn corrects(fact: &FactLine<'_>, line: &Line) -> bool {
+    let whole = |text: &str| words::same(text, &fact.value);
+    let listed = |cell: &str| number::labels(cell).iter().any(|(_, label)| whole(label));
     fact.erratum.is_some()
         && matches!(fact.field.as_ref(), "name" | "label")
-        && words::letters(&line.text).contains(&words::letters(&fact.value))
+        && (line.cells.iter().any(|cell| whole(cell) || listed(cell)) || line.title().is_some_and(whole))
 }
 
 /// Whether a cell of the key can stand for several rows, so that it is printed in another one.
