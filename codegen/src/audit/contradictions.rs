@@ -61,7 +61,6 @@ fn column(field: &str) -> Option<&'static str> {
 /// Everything that a comparison reads.
 struct Comparison<'a> {
     model: &'a Model,
-    facts: &'a [FactLine<'a>],
     rows: &'a Rows,
     words: Words<'a>,
     page: Page,
@@ -77,7 +76,7 @@ pub fn contradictions(
     text: &str,
 ) -> Vec<Contradiction> {
     let of = Manual { id: manual, only: model.manuals.len() == 1 };
-    let all = Comparison { model, facts, rows, words: Words::new(rows), page: Page::new(text, rows), of };
+    let all = Comparison { model, rows, words: Words::new(rows), page: Page::new(text, rows), of };
     let mut found = Vec::new();
     for row in group(facts) {
         match row.table {
@@ -166,11 +165,10 @@ impl Comparison<'_> {
     }
 
     fn settle(&self, row: &Row<'_>, field: &str, value: &str, places: Vec<Place>) -> Contradiction {
-        let key = super::evidence::profile_key(row.key);
         let settles = |e: &&crate::model::Erratum| {
             let cites = std::iter::once(&e.seen).chain(&e.by);
             let lines: Vec<u32> = cites.flat_map(|c| self.of.lines(c)).collect();
-            super::evidence::row_of_erratum(&e.at, self.facts) == key
+            super::evidence::names(&e.at, row.key)
                 && (e.field == field || value == NOT_STATED && column(&e.field) == column(field))
                 && places.iter().all(|p| lines.contains(&p.line))
         };

@@ -59,7 +59,9 @@ pub(super) fn object_shows(words: &Words<'_>, row: &Row<'_>, fact: &FactLine<'_>
 fn effect_shown(words: &Words<'_>, value: &str, line: &Line) -> bool {
     let starred = line.cell("parameter").is_some_and(|cell| cell.starts_with('*'));
     // A star elsewhere in the line marks something else, such as a unit.
-    words.printed_for("effect", value).any(|word| if word == "*" { starred } else { line.text.contains(word) })
+    words
+        .printed_for("effect", value)
+        .any(|word| if word == "*" { starred } else { line.text.contains(word) })
 }
 
 fn range_shown(cell: &str, field: &str, value: &str, unit: Option<&str>) -> bool {

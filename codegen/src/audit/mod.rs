@@ -20,7 +20,7 @@ pub use record::{Record, facts_hash, text_hash};
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::facts::{FactLine, Table};
-use crate::model::{Cite, Class, Model};
+use crate::model::{Cite, Class, Erratum, Model};
 use crate::rows::Rows;
 use page::Page;
 use words::{Row, Words};
@@ -248,29 +248,38 @@ impl Auditor<'_> {
 
     /// What an erratum says is printed must be printed where it says.
     fn errata(&mut self, model: &Model, facts: &[FactLine<'_>]) {
-        let rows: BTreeMap<String, Row<'_>> =
-            group(facts).into_iter().map(|row| (evidence::profile_key(row.key), row)).collect();
+        let rows = group(facts);
         for erratum in model.errata.as_slice() {
-            let key = evidence::row_of_erratum(&erratum.at, facts);
-            let Some(row) = rows.get(&key) else { continue };
-            let fact = evidence::printed(row, erratum);
             let key = format!("erratum {}", erratum.id);
+            let named: Vec<&Row<'_>> =
+                rows.iter().filter(|row| evidence::names(&erratum.at, row.key)).collect();
+            if named.is_empty() {
+                if !self.rows.left_out.contains(&erratum.at) {
+                    self.finding(Kind::Unproved, &key, "at", &erratum.at);
+                }
+                continue;
+            }
             self.not_blank(&key, std::iter::once(&erratum.seen).chain(&erratum.by));
             for line in self.of.lines(&erratum.seen) {
-                let shown = self.page.line(line).is_some_and(|l| {
-                    if evidence::is_worded(&fact) {
-                        self.words.anchors(row, l)
-                    } else {
-                        self.words.shows(row, &fact, l)
-                    }
-                });
-                if shown {
+                if named.iter().any(|row| self.is_printed(row, erratum, line)) {
                     self.report.proved += 1;
                 } else {
                     self.finding(Kind::Unproved, &key, &format!("was L{line}"), &erratum.was);
                 }
             }
         }
+    }
+
+    /// Whether the line prints what the erratum says of the row.
+    fn is_printed(&self, row: &Row<'_>, erratum: &Erratum, line: u32) -> bool {
+        let fact = evidence::printed(row, erratum);
+        self.page.line(line).is_some_and(|l| {
+            if evidence::is_worded(&fact) {
+                self.words.anchors(row, l)
+            } else {
+                self.words.shows(row, &fact, l)
+            }
+        })
     }
 
     /// A citation that hits a blank line is off by some.
