@@ -97,6 +97,7 @@ const CHANGES: &[(&str, &str, &str)] = &[
     ("default = 7, src = \"2 L7\"", "default = -5, src = \"2 L6 L7\"", "unproved: object 2001:02 default"),
     // Two whole numbers do not join.
     ("default = 7, src = \"2 L7\"", "default = 27, src = \"2 L5 L7\"", "unproved: object 2001:02 default"),
+    ("also = \"3 L11\"", "also = \"3 L11 L6\"", "idle line: object 2000:00 also L6"),
     ("seen = \"2 L4\"", "seen = \"3 L11\"", "unproved: erratum E1 was L11"),
 ];
 
@@ -120,6 +121,24 @@ fn rows_that_nothing_cites_and_idle_exceptions_are_found() {
     assert_eq!(open(OBJECTS, &excepted, MANUAL), ["idle exception: object 2001:01 max"]);
     let wrong = OBJECTS.replace("max = 1000, default = -5", "max = 1001, default = -5");
     assert_eq!(open(&wrong, &excepted, MANUAL), [""; 0], "the exception holds for this fact");
+}
+
+#[test]
+fn exceptions_except_what_they_name() {
+    let none = READING.replace("lines = [8]", "lines = [8, 12, 99]");
+    assert_eq!(open(OBJECTS, &none, MANUAL), ["idle exception: L12 ", "idle exception: L99 "]);
+    let idle = |row: &str| format!("{READING}unproved = [ {{ {row}, why = \"w\" }} ]\n");
+    let also = idle("at = \"object 2000:00\", field = \"also min\"");
+    assert_eq!(open(OBJECTS, &also, MANUAL), ["idle exception: object 2000:00 also min"]);
+    let also = idle("at = \"object 2000:00\", field = \"also max\"");
+    assert_eq!(open(OBJECTS, &also, MANUAL), [""; 0]);
+    // Without a key, lines are not excepted; and no row excepts all.
+    let moved = OBJECTS.replace("src = \"2 L6\"", "src = \"2 L6 L8\"");
+    let found = open(&moved, &idle("at = \"object 2001:01\""), MANUAL);
+    assert!(found.iter().any(|f| f == "idle line: object 2001:01 L8"), "{found:#?}");
+    let wrong = OBJECTS.replace("default = 7", "default = -5");
+    let found = open(&wrong, &idle("at = \"*\""), MANUAL);
+    assert!(found.iter().any(|f| f == "unproved: object 2001:02 default"), "{found:#?}");
 }
 
 #[test]

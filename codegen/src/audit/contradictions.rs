@@ -35,6 +35,8 @@ pub struct Contradiction {
     pub errata: Vec<String>,
     /// Why the difference is none, by an exception of the profile.
     pub harmless: Option<String>,
+    /// The place of that exception in `unproved`.
+    pub(super) exception: Option<usize>,
 }
 
 impl Contradiction {
@@ -174,7 +176,7 @@ impl Comparison<'_> {
         };
         let errata = self.model.errata.as_slice().iter().filter(settles).map(|e| e.id.clone()).collect();
         let excepted = format!("also {field}");
-        let harmless = self.rows.unproved.iter().find(|r| {
+        let exception = self.rows.unproved.iter().position(|r| {
             let named = &r.at.value.0;
             let at = named.strip_suffix('*').map_or(named == row.key, |start| row.key.starts_with(start));
             at && r.field.as_ref().is_some_and(|f| f.value.0 == excepted)
@@ -185,12 +187,13 @@ impl Comparison<'_> {
             value: value.to_owned(),
             places,
             errata,
-            harmless: harmless.map(|r| r.why.value.0.clone()),
+            harmless: exception.map(|place| self.rows.unproved[place].why.value.0.clone()),
+            exception,
         }
     }
 }
 
-fn entry<'m>(row: &Row<'_>, model: &'m Model) -> Option<&'m crate::model::Entry> {
+pub(super) fn entry<'m>(row: &Row<'_>, model: &'m Model) -> Option<&'m crate::model::Entry> {
     let (index, sub) = row.id().split_once(':')?;
     let address = Address::new(u16::from_str_radix(index, 16).ok()?, u8::from_str_radix(sub, 16).ok()?);
     model.entry(address).map(|(_, entry)| entry)
