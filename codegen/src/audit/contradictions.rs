@@ -35,6 +35,8 @@ pub struct Contradiction {
     pub errata: Vec<String>,
     /// Why the difference is none, by an exception of the profile.
     pub harmless: Option<String>,
+    /// The place of that exception in `unproved`.
+    pub(super) exception: Option<usize>,
 }
 
 impl Contradiction {
@@ -61,7 +63,6 @@ fn column(field: &str) -> Option<&'static str> {
 /// Everything that a comparison reads.
 struct Comparison<'a> {
     model: &'a Model,
-    facts: &'a [FactLine<'a>],
     rows: &'a Rows,
     words: Words<'a>,
     page: Page,
@@ -77,7 +78,7 @@ pub fn contradictions(
     text: &str,
 ) -> Vec<Contradiction> {
     let of = Manual { id: manual, only: model.manuals.len() == 1 };
-    let all = Comparison { model, facts, rows, words: Words::new(rows), page: Page::new(text, rows), of };
+    let all = Comparison { model, rows, words: Words::new(rows), page: Page::new(text, rows), of };
     let mut found = Vec::new();
     for row in group(facts) {
         match row.table {
@@ -166,17 +167,16 @@ impl Comparison<'_> {
     }
 
     fn settle(&self, row: &Row<'_>, field: &str, value: &str, places: Vec<Place>) -> Contradiction {
-        let key = super::evidence::profile_key(row.key);
         let settles = |e: &&crate::model::Erratum| {
             let cites = std::iter::once(&e.seen).chain(&e.by);
             let lines: Vec<u32> = cites.flat_map(|c| self.of.lines(c)).collect();
-            super::evidence::row_of_erratum(&e.at, self.facts) == key
+            super::evidence::names(&e.at, row.key)
                 && (e.field == field || value == NOT_STATED && column(&e.field) == column(field))
                 && places.iter().all(|p| lines.contains(&p.line))
         };
         let errata = self.model.errata.as_slice().iter().filter(settles).map(|e| e.id.clone()).collect();
         let excepted = format!("also {field}");
-        let harmless = self.rows.unproved.iter().find(|r| {
+        let exception = self.rows.unproved.iter().position(|r| {
             let named = &r.at.value.0;
             let at = named.strip_suffix('*').map_or(named == row.key, |start| row.key.starts_with(start));
             at && r.field.as_ref().is_some_and(|f| f.value.0 == excepted)
@@ -187,12 +187,13 @@ impl Comparison<'_> {
             value: value.to_owned(),
             places,
             errata,
-            harmless: harmless.map(|r| r.why.value.0.clone()),
+            harmless: exception.map(|place| self.rows.unproved[place].why.value.0.clone()),
+            exception,
         }
     }
 }
 
-fn entry<'m>(row: &Row<'_>, model: &'m Model) -> Option<&'m crate::model::Entry> {
+pub(super) fn entry<'m>(row: &Row<'_>, model: &'m Model) -> Option<&'m crate::model::Entry> {
     let (index, sub) = row.id().split_once(':')?;
     let address = Address::new(u16::from_str_radix(index, 16).ok()?, u8::from_str_radix(sub, 16).ok()?);
     model.entry(address).map(|(_, entry)| entry)

@@ -1,6 +1,6 @@
 //! Evidence for objects, values, bits, alarms and process data.
 
-use super::number::{Number, Range, factor, keyed};
+use super::number::{Number, Range, factor, keyed, labels};
 use super::page::Line;
 use super::words::{Row, Words, holds_number, holds_word, names_parameter, same, same_letters};
 use crate::facts::FactLine;
@@ -58,8 +58,10 @@ pub(super) fn object_shows(words: &Words<'_>, row: &Row<'_>, fact: &FactLine<'_>
 
 fn effect_shown(words: &Words<'_>, value: &str, line: &Line) -> bool {
     let starred = line.cell("parameter").is_some_and(|cell| cell.starts_with('*'));
-    let said = words.printed_for("effect", value).any(|word| line.text.contains(word));
-    starred && words.printed_for("effect", value).any(|word| word == "*") || said
+    // A star elsewhere in the line marks something else, such as a unit.
+    words
+        .printed_for("effect", value)
+        .any(|word| if word == "*" { starred } else { line.text.contains(word) })
 }
 
 fn range_shown(cell: &str, field: &str, value: &str, unit: Option<&str>) -> bool {
@@ -94,7 +96,7 @@ fn default_shown(words: &Words<'_>, cell: &str, value: &str, unit: Option<&str>)
         || words.means("default", cell, value)
 }
 
-/// Whether a cell that the extract has split over the cited lines shows the value.
+/// Whether a cell that the extract has split over two cited lines shows the value: one part says nothing by itself.
 pub(super) fn shows_split(words: &Words<'_>, row: &Row<'_>, fact: &FactLine<'_>, lines: &[&Line]) -> bool {
     let column = match fact.field.as_ref() {
         "min" | "max" | "allow" => "range",
@@ -102,13 +104,20 @@ pub(super) fn shows_split(words: &Words<'_>, row: &Row<'_>, fact: &FactLine<'_>,
         _ => return false,
     };
     let parts: Vec<&str> = lines.iter().filter_map(|l| l.cell(column)).collect();
-    let joined = parts.concat();
     let unit = row.value("unit");
-    parts.len() > 1
-        && match column {
+    let pairs = parts.iter().zip(parts.iter().skip(1));
+    pairs.filter(|(first, rest)| is_part(column, first) || rest.starts_with('~')).any(|(first, rest)| {
+        let joined = format!("{first}{rest}");
+        match column {
             "range" => range_shown(&joined, fact.field.as_ref(), &fact.value, unit),
             _ => default_shown(words, &joined, &fact.value, unit),
         }
+    })
+}
+
+/// Whether a cell is no number or range by itself.
+fn is_part(column: &str, cell: &str) -> bool {
+    if column == "range" { Range::parse(cell).is_none() } else { Number::parse(cell).is_none() }
 }
 
 pub(super) fn pdo_anchors(row: &Row<'_>, line: &Line) -> bool {
@@ -159,7 +168,7 @@ pub(super) fn named_anchors(row: &Row<'_>, line: &Line) -> bool {
     let first_cells = || cells.clone().take(2);
     row.key.starts_with("bits") && first_cells().any(|cell| names_bit(cell, n))
         || row.key.starts_with("enum")
-            && (line.cells.iter().any(|cell| cell.parse() == Ok(n)) || line.text.contains(&format!("{n}:")))
+            && line.cells.iter().any(|cell| cell.parse() == Ok(n) || label_of(cell, n).is_some())
         || line.cells.is_empty() && holds_number(&line.text, n)
 }
 
@@ -169,13 +178,20 @@ pub(super) fn enum_shows(row: &Row<'_>, fact: &FactLine<'_>, line: &Line) -> boo
     }
     let Some(n) = number(row) else { return false };
     // `[us]` in a manual is `us` in a label.
-    let compact = |text: &str| {
-        text.replace(['[', ']'], "").split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase()
-    };
-    let keyed = compact(&line.text).contains(&compact(&format!("{n}: {}", fact.value)));
+    let plain = |text: &str| text.replace(['[', ']'], "");
+    let keyed = line
+        .cells
+        .iter()
+        .filter_map(|cell| label_of(cell, n))
+        .any(|label| same(&plain(label), &plain(&fact.value)));
     let in_cells =
         line.cells.iter().any(|c| same(c, &fact.value)) && line.cells.iter().any(|c| c.parse() == Ok(n));
     keyed || in_cells
+}
+
+/// The label that a cell lists for a value.
+fn label_of(cell: &str, value: i128) -> Option<&str> {
+    labels(cell).into_iter().find(|(key, _)| key.parse() == Ok(value)).map(|(_, label)| label)
 }
 
 pub(super) fn bit_shows(fact: &FactLine<'_>, line: &Line) -> bool {

@@ -4,9 +4,10 @@ use std::borrow::Cow;
 
 use super::page::{Line, Page};
 use super::words::{self, Row, Words};
-use super::{behaviour, dictionary};
+use super::{behaviour, dictionary, number};
 use crate::facts::{FactLine, Table};
 use crate::model::Erratum;
+use crate::rows::address::At;
 
 impl Words<'_> {
     /// Whether the line belongs to the row.
@@ -41,27 +42,43 @@ impl Words<'_> {
         if let Some(proved) = behaviour::proves_whole(self, row, fact, &lines) {
             return proved;
         }
-        if fact.erratum.is_some() && lines.iter().any(|l| corrects(fact, l)) {
-            return true;
+        let own: Vec<&Line> = lines.iter().copied().filter(|line| self.anchors(row, line)).collect();
+        if own.is_empty() {
+            return lines.iter().any(|l| corrects(fact, l));
         }
-        let anchored = |line: &&&Line| self.anchors(row, line);
-        lines.iter().any(|l| anchored(&l))
-            && (lines.iter().filter(anchored).any(|l| self.shows(row, fact, l))
-                || spans(fact) && lines.iter().any(|l| self.shows(row, fact, l))
-                || spans(fact) && dictionary::shows_split(self, row, fact, &lines))
+        own.iter().any(|l| self.shows(row, fact, l))
+            || spans(fact)
+                && own.iter().all(|l| is_open(fact, l))
+                && lines.iter().any(|l| self.shows(row, fact, l))
+            || dictionary::shows_split(self, row, fact, &lines)
     }
 }
 
-/// Whether the line prints, anywhere, the name that an erratum has taken from there.
+/// Whether the row's own line leaves the value to another one: without the cell, or with a part of it.
+fn is_open(fact: &FactLine<'_>, line: &Line) -> bool {
+    let column = match fact.field.as_ref() {
+        "min" | "max" | "allow" => "range",
+        field => field,
+    };
+    line.cell(column).is_none_or(|cell| cell.starts_with('~') || cell.ends_with('~'))
+}
+
+/// Whether the line has the name that an erratum has taken from there: as a cell, a label in one, or its title. Such a line
+/// is of another row, which is why it counts only where no line of the row itself is cited.
 pub(super) fn corrects(fact: &FactLine<'_>, line: &Line) -> bool {
+    let whole = |text: &str| words::same(text, &fact.value);
+    let listed = |cell: &str| number::labels(cell).iter().any(|(_, label)| whole(label));
     fact.erratum.is_some()
         && matches!(fact.field.as_ref(), "name" | "label")
-        && words::letters(&line.text).contains(&words::letters(&fact.value))
+        && (line.cells.iter().any(|cell| whole(cell) || listed(cell)) || line.title().is_some_and(whole))
 }
 
 /// Whether a cell of the key can stand for several rows, so that it is printed in another one.
 fn spans(fact: &FactLine<'_>) -> bool {
-    !matches!(fact.field.as_ref(), "name" | "type" | "access" | "number" | "code" | "label")
+    !matches!(
+        fact.field.as_ref(),
+        "name" | "type" | "access" | "number" | "code" | "aux" | "label" | "pin" | "bits" | "entry"
+    )
 }
 
 /// Whether the words of the fact are the profile's own.
@@ -84,40 +101,42 @@ pub(super) fn profile_key(key: &str) -> String {
     key.strip_prefix("object ").unwrap_or(key).to_owned()
 }
 
-/// The key that [`profile_key`] gives for the row that an erratum names.
-pub(super) fn row_of_erratum(at: &str, facts: &[FactLine<'_>]) -> String {
-    if let Some((table, value)) = at.split_once('=') {
-        return format!("{table} {value}");
+/// Whether `at`, as an erratum names a row, is the row with this key of `map.txt`.
+pub(super) fn names(at: &str, key: &str) -> bool {
+    if let Some(named) = At::parse(at) {
+        let row = At::parse(&profile_key(key));
+        return row.is_some_and(|r| r == named || r.addresses().any(|a| named.addresses().any(|n| n == a)));
     }
-    if let Some(rest) = at.strip_prefix("bits ")
-        && let Some((name, bit)) = rest.rsplit_once('.')
-    {
-        return format!("bits {name} {bit}");
+    // Numbers of rows are hexadecimal, in either case; names are not.
+    let (table, rest) = at.split_once(' ').unwrap_or((at, ""));
+    match table {
+        "alarm" => names_alarm(rest, key),
+        "homing" => key == at.split('.').next().unwrap_or(at),
+        "bits" => rest.rsplit_once('.').is_some_and(|(name, bit)| key == format!("bits {name} {bit}")),
+        "pdo" | "abort" => key.eq_ignore_ascii_case(&at.replace(':', " ")),
+        _ => key == at.replace('=', " "),
     }
-    if let Some(rest) = at.strip_prefix("pdo ") {
-        return format!("pdo {}", rest.replace(':', " "));
-    }
-    if let Some(display) = at.strip_prefix("alarm ") {
-        let start = format!("alarm {display} ");
-        let found = facts.iter().find(|f| f.key.starts_with(&start) || f.key == at);
-        return found.map_or_else(|| at.to_owned(), |f| f.key.clone());
-    }
-    at.to_ascii_uppercase().parse::<String>().map_or_else(
-        |_| at.to_owned(),
-        |upper| if at.contains(':') && at.len() == 7 { upper } else { at.to_owned() },
-    )
+}
+
+/// Whether `LS` or `LS 0x2f` is the alarm of the key `alarm LS 0x2F`.
+fn names_alarm(named: &str, key: &str) -> bool {
+    let Some(row) = key.strip_prefix("alarm ") else { return false };
+    let number = |text: &str| u16::from_str_radix(text.strip_prefix("0x")?, 16).ok();
+    let split = |text: &str| {
+        let (display, last) = text.rsplit_once(' ')?;
+        Some((display.to_owned(), number(last)?))
+    };
+    named == row
+        || split(row).is_some_and(|(display, number)| {
+            named == display || split(named).is_some_and(|pair| pair == (display, number))
+        })
 }
 
 /// The fact that an erratum says is printed.
 pub(super) fn printed<'f>(row: &Row<'f>, erratum: &Erratum) -> FactLine<'f> {
     let text = erratum.was.as_str();
     let value = text.strip_prefix('"').and_then(|t| t.strip_suffix('"')).unwrap_or(text);
-    let number = value.parse::<i128>().ok();
-    let value = match (row.table, erratum.field.as_str(), number) {
-        (Table::Alarms, "number", Some(n)) => format!("0x{n:02X}"),
-        (Table::Alarms, "code" | "aux" | "al_status", Some(n)) => format!("0x{n:04X}"),
-        _ => value.replace("[\"", "").replace("\"]", "").replace("\", \"", " "),
-    };
+    let value = as_facts_print(row, &erratum.field, value);
     FactLine {
         table: row.table,
         key: row.key.to_owned(),
@@ -126,5 +145,50 @@ pub(super) fn printed<'f>(row: &Row<'f>, erratum: &Erratum) -> FactLine<'f> {
         class: None,
         cite: None,
         erratum: None,
+    }
+}
+
+/// A value of an erratum as the facts print it: masks in hexadecimal, lists of words without brackets.
+fn as_facts_print(row: &Row<'_>, field: &str, value: &str) -> String {
+    let now = row.value(field);
+    let digits = now.and_then(|v| v.strip_prefix("0x")).map(str::len);
+    let digits = digits.or(match (row.table, field) {
+        (Table::Alarms, "number") => Some(2),
+        (Table::Alarms, "code" | "aux" | "al_status")
+        | (Table::States | Table::Commands, "mask" | "value") => Some(4),
+        _ => None,
+    });
+    if let Some((digits, n)) = digits.zip(value.parse::<i128>().ok()) {
+        return format!("0x{n:0digits$X}");
+    }
+    if value.starts_with('[') && row.table != Table::Objects {
+        return value.trim_matches(['[', ']']).replace('"', "").replace(", ", " ");
+    }
+    value.to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::names;
+
+    #[test]
+    fn errata_name_rows_in_every_form() {
+        for (at, key) in [
+            ("607d:01", "object 607D:01"),
+            ("3000:01..63", "object 3000:0A"),
+            ("alarm LS", "alarm LS 0x2F"),
+            ("alarm LS 0x2f", "alarm LS 0x2F"),
+            ("homing 3.1", "homing 3"),
+            ("bits controlword.8 mode 1", "bits controlword 8 mode 1"),
+            ("enum keypad display=4", "enum keypad display 4"),
+            ("pdo 1a00:1", "pdo 1A00 1"),
+            ("mode 3", "mode 3"),
+        ] {
+            assert!(names(at, key), "{at}: {key}");
+        }
+        for (at, key) in [("alarm L", "alarm LS 0x2F"), ("alarm ls", "alarm LS 0x2F"), ("mode 3", "mode 30")]
+        {
+            assert!(!names(at, key), "{at}: {key}");
+        }
     }
 }

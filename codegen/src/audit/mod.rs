@@ -20,7 +20,7 @@ pub use record::{Record, facts_hash, text_hash};
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::facts::{FactLine, Table};
-use crate::model::{Cite, Class, Model};
+use crate::model::{Cite, Class, Erratum, Model};
 use crate::rows::Rows;
 use page::Page;
 use words::{Row, Words};
@@ -114,9 +114,11 @@ pub fn audit(model: &Model, facts: &[FactLine<'_>], rows: &Rows, manual: &str, t
     }
     auditor.errata(model, facts);
     auditor.cited(model, facts);
-    auditor.idle_exceptions();
+    auditor.idle_exceptions(&excepted_differences(model, facts, rows, manual, text));
     Some(auditor.report)
 }
+
+const NO_LINE: &str = "there is no such line";
 
 /// Which citations belong to the manual that is read.
 struct Manual<'a> {
@@ -182,7 +184,7 @@ impl Auditor<'_> {
             self.finding(Kind::IdleLine, row.key, &format!("L{line}"), "the citation names the line twice");
         }
         for line in lines.into_iter().filter(|(_, helps)| !helps).map(|(line, _)| line) {
-            let text = self.page.line(line).map_or("there is no such line", |l| l.text.as_str());
+            let text = self.page.line(line).map_or(NO_LINE, |l| l.text.as_str());
             self.finding(Kind::IdleLine, row.key, &format!("L{line}"), text);
         }
     }
@@ -228,7 +230,7 @@ impl Auditor<'_> {
     }
 
     fn finding(&mut self, kind: Kind, at: &str, field: &str, what: &str) {
-        let accepted = self.exception(at, field).filter(|_| kind != Kind::IdleException);
+        let accepted = self.exception(kind, at, field).filter(|_| kind != Kind::IdleException);
         let accepted = accepted.map(|place| {
             self.used.insert(place);
             self.rows.unproved[place].why.value.0.clone()
@@ -237,40 +239,50 @@ impl Auditor<'_> {
         self.report.findings.push(Finding { kind, at, field, what, accepted });
     }
 
-    /// The exception of the profile for a row and key.
-    fn exception(&self, at: &str, field: &str) -> Option<usize> {
+    /// The exception of the profile for a row and key. One without a key excepts values, and none excepts every row.
+    fn exception(&self, kind: Kind, at: &str, field: &str) -> Option<usize> {
         self.rows.unproved.iter().position(|row| {
             let named = &row.at.value.0;
             let same = named.strip_suffix('*').map_or(named == at, |start| at.starts_with(start));
-            same && row.field.as_ref().is_none_or(|f| f.value.0 == field)
+            let here = row.field.as_ref().map_or(kind == Kind::Unproved, |f| f.value.0 == field);
+            named != "*" && same && here
         })
     }
 
     /// What an erratum says is printed must be printed where it says.
     fn errata(&mut self, model: &Model, facts: &[FactLine<'_>]) {
-        let rows: BTreeMap<String, Row<'_>> =
-            group(facts).into_iter().map(|row| (evidence::profile_key(row.key), row)).collect();
+        let rows = group(facts);
         for erratum in model.errata.as_slice() {
-            let key = evidence::row_of_erratum(&erratum.at, facts);
-            let Some(row) = rows.get(&key) else { continue };
-            let fact = evidence::printed(row, erratum);
             let key = format!("erratum {}", erratum.id);
+            let named: Vec<&Row<'_>> =
+                rows.iter().filter(|row| evidence::names(&erratum.at, row.key)).collect();
+            if named.is_empty() {
+                if !self.rows.left_out.contains(&erratum.at) {
+                    self.finding(Kind::Unproved, &key, "at", &erratum.at);
+                }
+                continue;
+            }
             self.not_blank(&key, std::iter::once(&erratum.seen).chain(&erratum.by));
             for line in self.of.lines(&erratum.seen) {
-                let shown = self.page.line(line).is_some_and(|l| {
-                    if evidence::is_worded(&fact) {
-                        self.words.anchors(row, l)
-                    } else {
-                        self.words.shows(row, &fact, l)
-                    }
-                });
-                if shown {
+                if named.iter().any(|row| self.is_printed(row, erratum, line)) {
                     self.report.proved += 1;
                 } else {
                     self.finding(Kind::Unproved, &key, &format!("was L{line}"), &erratum.was);
                 }
             }
         }
+    }
+
+    /// Whether the line prints what the erratum says of the row.
+    fn is_printed(&self, row: &Row<'_>, erratum: &Erratum, line: u32) -> bool {
+        let fact = evidence::printed(row, erratum);
+        self.page.line(line).is_some_and(|l| {
+            if evidence::is_worded(&fact) {
+                self.words.anchors(row, l)
+            } else {
+                self.words.shows(row, &fact, l)
+            }
+        })
     }
 
     /// A citation that hits a blank line is off by some.
@@ -283,13 +295,31 @@ impl Auditor<'_> {
         }
     }
 
+    /// Lines that print an object again; a line of another row is none, and is a finding.
+    fn also(&mut self, model: &Model, facts: &[FactLine<'_>]) -> Vec<u32> {
+        let mut found = Vec::new();
+        for row in group(facts).iter().filter(|row| row.table == Table::Objects) {
+            let also = contradictions::entry(row, model).and_then(|e| e.also.as_ref());
+            for number in also.map(|cite| self.of.lines(cite)).unwrap_or_default() {
+                match self.page.line(number) {
+                    Some(line) if self.words.anchors(row, line) => found.push(number),
+                    line => {
+                        let text = line.map_or(NO_LINE, |l| l.text.as_str());
+                        self.finding(Kind::IdleLine, row.key, &format!("also L{number}"), text);
+                    }
+                }
+            }
+        }
+        found
+    }
+
     /// Rows of printed tables that nothing cites.
     fn cited(&mut self, model: &Model, facts: &[FactLine<'_>]) {
         let mut cited: BTreeSet<u32> = BTreeSet::new();
         let places = facts.iter().filter_map(|f| f.cite);
-        let also = model.entries.as_slice().iter().filter_map(|e| e.also.as_ref());
+        cited.extend(self.also(model, facts));
         let errata = model.errata.as_slice().iter().flat_map(|e| std::iter::once(&e.seen).chain(&e.by));
-        for cite in places.chain(also).chain(errata) {
+        for cite in places.chain(errata) {
             cited.extend(self.of.lines(cite));
         }
         let excepted: BTreeMap<u32, usize> = self
@@ -311,13 +341,35 @@ impl Auditor<'_> {
         }
     }
 
-    fn idle_exceptions(&mut self) {
+    /// Exceptions that except nothing. `also` says which rows except a difference between places.
+    fn idle_exceptions(&mut self, also: &BTreeSet<usize>) {
         for (place, row) in self.rows.unproved.iter().enumerate() {
             let field = row.field.as_ref().map_or("", |f| f.value.0.as_str());
-            // Differences between two places are excepted by the same rows, and are compared elsewhere.
-            if !self.used.contains(&place) && !field.starts_with("also ") {
+            if !self.used.contains(&place) && !also.contains(&place) {
                 self.finding(Kind::IdleException, &row.at.value.0, field, &row.why.value.0);
             }
         }
+        for number in self.rows.uncited.iter().flat_map(|row| &row.lines.value) {
+            if !self.page.line(*number).is_some_and(page::Line::is_row) {
+                self.finding(Kind::IdleException, &format!("L{number}"), "", "the line is no row of a table");
+            }
+        }
     }
+}
+
+/// Places of the exceptions that settle a difference between places.
+fn excepted_differences(
+    model: &Model,
+    facts: &[FactLine<'_>],
+    rows: &Rows,
+    manual: &str,
+    text: &str,
+) -> BTreeSet<usize> {
+    let also = |row: &crate::rows::tables::UnprovedRow| {
+        row.field.as_ref().is_some_and(|f| f.value.0.starts_with("also "))
+    };
+    if !rows.unproved.iter().any(also) {
+        return BTreeSet::new();
+    }
+    contradictions(model, facts, rows, manual, text).iter().filter_map(|c| c.exception).collect()
 }

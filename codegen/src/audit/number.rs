@@ -12,6 +12,9 @@ pub(super) struct Number {
 impl Number {
     /// Reads a cell that holds one number, or the parts of one that the extract has split.
     pub(super) fn parse(text: &str) -> Option<Self> {
+        if !is_one(text) {
+            return None;
+        }
         let compact: String = text.chars().filter(|c| !c.is_whitespace()).collect();
         let (body, percent) = compact.strip_suffix('%').map_or((compact.as_str(), false), |b| (b, true));
         let (negative, body) = match body.strip_prefix('-') {
@@ -38,10 +41,19 @@ impl Number {
 
     /// The count that it stands for, where one count is `num / den` of the printed unit.
     pub(super) fn count(self, (num, den): (i128, i128)) -> Option<i128> {
-        let (top, bottom) = if self.physical { (self.digits * den, num) } else { (self.digits, 1) };
-        let bottom = bottom * 10_i128.checked_pow(self.places)?;
+        let (top, bottom) =
+            if self.physical { (self.digits.checked_mul(den)?, num) } else { (self.digits, 1) };
+        let bottom = bottom.checked_mul(10_i128.checked_pow(self.places)?)?;
         (bottom != 0 && top % bottom == 0).then(|| top / bottom)
     }
+}
+
+/// Whether the words of a cell can be one number: extracts break it only where it was too wide for its column.
+fn is_one(text: &str) -> bool {
+    const WIDE: usize = 6;
+    let mut words = text.split_whitespace();
+    let first = words.next().unwrap_or_default().trim_start_matches(['-', '+']);
+    words.all(|word| matches!(word, "%" | "h" | "H") || first.len() >= WIDE)
 }
 
 /// The leading factor of a unit as a profile writes it: `0.1 rpm` is 1/10.
@@ -80,15 +92,28 @@ impl Range {
     }
 }
 
+/// The values that a cell lists with their labels: `0: off 1~99: alarm` gives (`0`, `off`) and (`1~99`, `alarm`).
+pub(super) fn labels(text: &str) -> Vec<(&str, &str)> {
+    let inside = |c: char| c.is_ascii_digit() || c == '~';
+    let start = |colon: usize| {
+        let before = text[..colon].trim_end();
+        before.rfind(|c| !inside(c)).map_or(0, |n| n + before[n..].chars().next().map_or(1, char::len_utf8))
+    };
+    let keys: Vec<(usize, usize)> = text
+        .match_indices(':')
+        .map(|(colon, _)| (start(colon), colon))
+        .filter(|(start, colon)| text[*start..*colon].contains(|c: char| c.is_ascii_digit()))
+        .collect();
+    let ends = keys.iter().skip(1).map(|(start, _)| *start).chain([text.len()]);
+    let label = |((start, colon), end): (&(usize, usize), usize)| {
+        (text[*start..*colon].trim(), text.get(*colon + 1..end).unwrap_or_default().trim())
+    };
+    keys.iter().zip(ends).map(label).collect()
+}
+
 /// The values in front of colons: `0: off 1: on` gives 0 and 1; `1~99: ...` gives both ends.
 pub(super) fn keyed(text: &str) -> Vec<i128> {
-    let mut found = Vec::new();
-    for (at, _) in text.match_indices(':') {
-        let before = text[..at].trim_end();
-        let start = before.rfind(|c: char| !c.is_ascii_digit() && c != '~').map_or(0, |n| n + 1);
-        found.extend(before[start..].split('~').filter_map(|n| n.parse::<i128>().ok()));
-    }
-    found
+    labels(text).iter().flat_map(|(key, _)| key.split('~')).filter_map(|n| n.trim().parse().ok()).collect()
 }
 
 #[cfg(test)]
@@ -109,6 +134,7 @@ mod tests {
         assert_eq!(count("604100 h", "x"), Some(0x0060_4100));
         assert_eq!(count("0x1A00", "x"), Some(0x1A00));
         assert_eq!(count("300.0 %", "0.1 %"), Some(3_000));
+        assert_eq!((count("0 1", "x"), count("1 0 %", "x"), count("- 5", "x")), (None, None, None));
         assert_eq!((count("", "x"), count("-", "x"), count("1-2", "x")), (None, None, None));
     }
 
@@ -123,6 +149,7 @@ mod tests {
         assert_eq!(ends("0~42 0: Action mode 1: Speed"), Some((0, 42)));
         assert!(matches!(Range::parse("0,1,5"), Some(Range::List(list)) if list.len() == 3));
         assert_eq!(Range::parse("Refer to"), None);
+        assert_eq!(labels("0~2 0: off 1: on 11: x"), [("0", "off"), ("1", "on"), ("11", "x")]);
         assert_eq!(keyed("0: no detection 1~99: alarm"), [0, 1, 99]);
     }
 }

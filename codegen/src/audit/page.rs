@@ -39,6 +39,12 @@ impl Line {
         self.cell("name").and(self.index)
     }
 
+    /// The title that the line is, without its number.
+    pub(super) fn title(&self) -> Option<&str> {
+        let title = title(&self.text)?;
+        Some(title.trim_start_matches(|c: char| c.is_ascii_digit() || matches!(c, '.' | ')')).trim_start())
+    }
+
     /// Whether the line is a row of a printed table with content.
     pub(super) fn is_row(&self) -> bool {
         !self.heading && self.cells.iter().filter(|c| !c.is_empty()).count() > 1
