@@ -9,6 +9,7 @@
     reason = "a build script talks to cargo on its standard output and is told its folder by the environment"
 )]
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -63,6 +64,13 @@ pub enum BuildError {
     Findings(usize),
     /// There is no folder to write to: cargo did not set `OUT_DIR`.
     NoFolder,
+    /// Two profiles would write one file.
+    SameFile {
+        /// The file's name.
+        name: String,
+        /// Folders of the two profiles.
+        profiles: [PathBuf; 2],
+    },
     /// The disk refused.
     Disk(SinkError),
 }
@@ -75,6 +83,12 @@ impl fmt::Display for BuildError {
             Self::NoFolder => f.write_str(
                 "OUT_DIR is not set: call this from a build script, or name a folder with `out_dir`",
             ),
+            Self::SameFile { name, profiles: [first, second] } => write!(
+                f,
+                "{} and {} both make {name}; nothing was written: change an id of one, or build each into its own folder",
+                first.display(),
+                second.display()
+            ),
             Self::Disk(error) => error.fmt(f),
         }
     }
@@ -84,7 +98,7 @@ impl std::error::Error for BuildError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
             Self::Disk(error) => Some(error),
-            Self::Findings(_) | Self::NoFolder => None,
+            Self::Findings(_) | Self::NoFolder | Self::SameFile { .. } => None,
         }
     }
 }
@@ -125,6 +139,8 @@ impl Build {
         if errors > 0 {
             return Err(BuildError::Findings(errors));
         }
+        let names: Vec<&str> = compiled.iter().flatten().map(|(name, _)| name.as_str()).collect();
+        self.apart(&names)?;
         let out = self.out.clone().or_else(|| std::env::var_os("OUT_DIR").map(PathBuf::from));
         let out = out.ok_or(BuildError::NoFolder)?;
         let write = |(name, text): (String, String)| {
@@ -133,6 +149,18 @@ impl Build {
             Ok(place)
         };
         compiled.into_iter().flatten().map(write).collect()
+    }
+
+    /// Each profile has a file of its own: the second of two with one name would replace the first.
+    fn apart(&self, names: &[&str]) -> Result<(), BuildError> {
+        let mut makers = BTreeMap::new();
+        for (name, folder) in names.iter().zip(&self.profiles) {
+            if let Some(first) = makers.insert(*name, folder) {
+                let profiles = [first.clone(), folder.clone()];
+                return Err(BuildError::SameFile { name: (*name).to_owned(), profiles });
+            }
+        }
+        Ok(())
     }
 }
 

@@ -111,3 +111,24 @@ fn what_is_missing_is_said() {
     let (ok, lines) = build(&root, "profile", false);
     assert!(!ok && lines.iter().any(|l| l.starts_with("cargo::error=OUT_DIR is not set")), "{lines:#?}");
 }
+
+#[test]
+fn two_profiles_of_one_file_are_refused_before_anything_is_written() {
+    let root = package("same-file", OBJECTS);
+    let other = root.join("other");
+    fs::create_dir_all(&other).expect("a folder");
+    let with = |vendor: &str, id: &str| {
+        let text = DRIVE.replace("vendor_id = \"acme\"", &format!("vendor_id = \"{vendor}\""));
+        text.replace("id = \"x1\"", &format!("id = \"{id}\""))
+    };
+    fs::write(root.join("profile/drive.toml"), with("acme", "x-y1")).expect("a file");
+    fs::write(other.join("drive.toml"), with("acme-x", "y1")).expect("a file");
+    fs::write(other.join("objects.toml"), OBJECTS).expect("a file");
+    let both = drivewright_codegen::Build::new().profile(root.join("profile")).profile(&other);
+    let error = both.out_dir(root.join("out")).run().expect_err("one file for two profiles").to_string();
+    assert!(
+        error.contains("acme_x_y1.rs") && error.contains("profile") && error.contains("other"),
+        "{error}"
+    );
+    assert!(names(&root.join("out")).is_empty());
+}

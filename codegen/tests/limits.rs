@@ -193,6 +193,14 @@ fn many_errata_that_match_nothing_take_linear_time() {
 }
 
 #[test]
+fn many_rows_of_one_homing_method_take_linear_time() {
+    let rows = |row: &str| codes(&format!("homing = [\n{}]", format!("{{ {row} }},\n").repeat(limits::ROWS)));
+    assert_eq!(rows("method = 1"), ["E0007", "E0202", "E0312"]);
+    let program = r#"method = 1, when = "any", moves = "+ slow until home on; latch""#;
+    assert_eq!(rows(program), ["E0007", "E0202"]);
+}
+
+#[test]
 fn ranges_do_not_multiply_without_bound() {
     let mut tables = String::from("objects = [\n");
     for index in 0..4_000 {

@@ -33,17 +33,44 @@ pub(super) fn methods(profile: &Profile, sink: &mut Sink) -> Vec<HomingMethod> {
     methods
 }
 
-fn method(rows: &[&HomingRow], errata: &[ErratumRow], sink: &mut Sink) -> HomingMethod {
+/// What decides whether a row of a method is complete.
+struct Whole {
+    /// Whether a row says that the drive does not have the method.
+    absent: bool,
+    /// Whether a row refers to another method.
+    same: bool,
+}
+
+/// The rows that are no repetition. Reports those that are stated twice, in part, or in the wrong place.
+fn once<'a>(rows: &[&'a HomingRow], sink: &mut Sink) -> Vec<&'a HomingRow> {
+    let whole = Whole {
+        absent: rows.iter().any(|r| r.status.is_some_and(|s| s.value != HomingStatus::Supported)),
+        same: rows.iter().any(|r| r.same.is_some()),
+    };
+    // Numbered cases may share a start: the event that comes first tells them apart.
+    let key = |r: &HomingRow| match r.case {
+        Some(case) => (Some(case.value), None),
+        None => (None, r.when.clone().map(|w| w.value)),
+    };
+    let mut seen: BTreeMap<_, &HomingRow> = BTreeMap::new();
+    let mut kept = Vec::new();
     for (n, row) in rows.iter().enumerate() {
-        // Numbered cases may share a start: the event that comes first tells them apart.
-        let same = |r: &&&HomingRow| r.case == row.case && (row.case.is_some() || r.when == row.when);
-        complete(row, rows, sink);
-        match (rows[..n].iter().find(same), rows[..n].first()) {
+        complete(row, &whole, sink);
+        match (seen.get(&key(row)), n) {
             (Some(twin), _) => crate::merge::duplicate(*row, *twin, sink),
-            (None, Some(first)) => later(row, first, sink),
-            (None, None) => {}
+            (None, 0) => {}
+            (None, _) => later(row, rows[0], sink),
         }
+        seen.entry(key(row)).or_insert_with(|| {
+            kept.push(*row);
+            row
+        });
     }
+    kept
+}
+
+fn method(rows: &[&HomingRow], errata: &[ErratumRow], sink: &mut Sink) -> HomingMethod {
+    let rows = once(rows, sink);
     let first = rows[0];
     let says = says(first, errata);
     let status = first.status.unwrap_or(Sp::new(HomingStatus::Supported, first.meta.span()));
@@ -88,10 +115,8 @@ fn wrong(span: crate::source::Span, message: String, help: &str) -> Diagnostic {
 }
 
 /// A row has a start and a program, or refers to another method, or says that there is none.
-fn complete(row: &HomingRow, rows: &[&HomingRow], sink: &mut Sink) {
-    let method = row.method.value;
-    let absent = rows.iter().any(|r| r.status.is_some_and(|s| s.value != HomingStatus::Supported));
-    let same = rows.iter().any(|r| r.same.is_some());
+fn complete(row: &HomingRow, whole: &Whole, sink: &mut Sink) {
+    let (method, &Whole { absent, same }) = (row.method.value, whole);
     match (row.when.is_some(), row.moves.is_some()) {
         (true, false) => sink.push(wrong(
             row.meta.span(),
