@@ -55,7 +55,6 @@ pub(super) fn proves_whole(
     match (row.table, fact.field.as_ref()) {
         (Table::Modes, "objects") => Some(objects_listed(&fact.value, lines)),
         (Table::Drive, _) => Some(lines.iter().any(|l| drive_shown(&fact.value, &l.text))),
-        (Table::Rules, "require") => Some(constants_shown(&fact.value, &all())),
         (Table::Examples, "value") => {
             Some(example_shown("value", &fact.value, &without_address(row, &all())))
         }
@@ -178,6 +177,13 @@ fn emcy_shown(words: &Words<'_>, row: &Row<'_>, field: &str, value: &str, line: 
         "bytes" => value.parse() == Ok(empty + 1),
         _ => false,
     }
+}
+
+/// What the lines must hold for a fact in words of our own: the numbers of a rule. They do not prove it.
+pub(super) fn allows(fact: &FactLine<'_>, lines: &[&Line]) -> bool {
+    let numbered = fact.table == Table::Rules && matches!(fact.field.as_ref(), "require" | "when");
+    let all = || lines.iter().map(|l| l.text.as_str()).collect::<Vec<_>>().join("\n");
+    !numbered || constants_shown(&fact.value, &all())
 }
 
 /// Every number of an expression but 0 and 1, and the index of every object, is in the text; times as `10ms` or `250 us`.

@@ -88,7 +88,7 @@ pub(super) fn is_worded(fact: &FactLine<'_>) -> bool {
         Table::Alarms => field.starts_with("cause") || field.starts_with("remed"),
         Table::Aborts => field == "name",
         Table::Terminals => field == "kind",
-        Table::Rules => matches!(field, "text" | "on" | "when"),
+        Table::Rules => matches!(field, "text" | "on" | "when" | "require"),
         Table::Objects => matches!(field, "text" | "values" | "bits"),
         Table::Homing => field == "status",
         Table::Examples => field == "text",

@@ -212,9 +212,9 @@ impl Auditor<'_> {
         } else if cited.is_empty() {
             // Another manual says it.
         } else if evidence::is_worded(fact) {
-            let anchored =
-                cited.iter().filter_map(|l| self.page.line(*l)).any(|l| self.words.anchors(row, l));
-            self.settle(row, fact, anchored, true);
+            let lines: Vec<&page::Line> = cited.iter().filter_map(|l| self.page.line(*l)).collect();
+            let fits = lines.iter().any(|l| self.words.anchors(row, l)) && behaviour::allows(fact, &lines);
+            self.settle(row, fact, fits, true);
         } else {
             let proved = self.words.proves(row, fact, self.page, cited);
             self.settle(row, fact, proved, false);

@@ -100,12 +100,31 @@ pub(super) fn holds_word(text: &str, word: &str) -> bool {
         .any(|(at, _)| edge(text[..at].chars().next_back()) && edge(text[at + word.len()..].chars().next()))
 }
 
-/// Whether `text` holds the number, in decimal or hexadecimal.
+/// Whether `text` holds the number, in decimal or hexadecimal: not as a part of `0.5`, `P3.5` or `-5`.
 pub(super) fn holds_number(text: &str, n: i128) -> bool {
     let hex = format!("{n:X}");
     let forms =
         [n.to_string(), format!("0x{hex}"), format!("{hex}h"), format!("0x{n:04X}"), format!("0x{n:02X}h")];
-    forms.iter().any(|form| holds_word(text, form))
+    let text = text.to_lowercase();
+    forms.iter().map(|form| form.to_lowercase()).any(|form| {
+        text.match_indices(&form).any(|(at, _)| stands_alone(&text[..at], &text[at + form.len()..]))
+    })
+}
+
+/// Whether a number between two texts is a whole one. A dash behind a digit is that of a range.
+fn stands_alone(before: &str, after: &str) -> bool {
+    let mut back = before.chars().rev();
+    let starts = match back.next() {
+        Some('.') => false,
+        Some('-') => back.next().is_some_and(char::is_alphanumeric),
+        before => before.is_none_or(|c| !c.is_alphanumeric()),
+    };
+    let mut ahead = after.chars();
+    let ends = match ahead.next() {
+        Some('.') => !ahead.next().is_some_and(|c| c.is_ascii_digit()),
+        after => after.is_none_or(|c| !c.is_alphanumeric()),
+    };
+    starts && ends
 }
 
 /// Whether `text` names the parameter: by itself, or in a range such as `P3.09~P3.24`.
@@ -124,4 +143,20 @@ pub(super) fn names_parameter(text: &str, parameter: &str) -> bool {
         };
         end(before, true).zip(end(after, false)).is_some_and(|(from, to)| (from..=to).contains(&number))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::holds_number;
+
+    #[test]
+    fn a_part_of_a_number_is_none() {
+        for text in ["5", "set 5.", "3-5", "(5)", "0x5"] {
+            assert!(holds_number(text, 5), "{text}");
+        }
+        for text in ["0.5", "P3.5", "-5", "5.0", "15", "5a"] {
+            assert!(!holds_number(text, 5), "{text}");
+        }
+        assert!(holds_number("from -5 to 5", -5) && !holds_number("5", -5));
+    }
 }
