@@ -12,7 +12,7 @@ use drivewright_codegen::model::{Cite, Class};
 use drivewright_codegen::{Compiled, compile, load};
 use drivewright_tests::{drives, skipped};
 
-const CHANGES: usize = 500;
+const CHANGES: usize = 2000;
 
 /// The text of a drive's manual.
 fn manual(drive: &str) -> Option<String> {
