@@ -169,7 +169,7 @@ fn told(files: &FileSet, to: &Target<'_>, found: &[Difference], format: Format, 
     let place = out.display().to_string().replace('\\', "/");
     let mut text = String::new();
     for difference in found.iter().filter(|_| mode != Mode::Write) {
-        text += &format!("{}: {place}/{}\n", difference.state.word(), difference.path);
+        text.extend([difference.state.word(), ": ", &place, "/", difference.path.as_str(), "\n"]);
         if mode == Mode::Diff {
             text += &sink::unified(files, out, &difference.path);
         }
@@ -179,7 +179,7 @@ fn told(files: &FileSet, to: &Target<'_>, found: &[Difference], format: Format, 
         let rest = found.len() - gone;
         let would = if mode == Mode::Write { "" } else { "would be " };
         let pruned = if to.prune { format!(", {gone} {would}removed") } else { String::new() };
-        text += &format!("{place}: {}, {rest} {would}written{pruned}\n", counted(files.len(), "file"));
+        text.extend([format!("{place}: {}, {rest} {would}written{pruned}\n", counted(files.len(), "file"))]);
     }
     let shown = if format == Format::Human {
         print(&text)
