@@ -12,7 +12,7 @@ use serde_json::json;
 use crate::End;
 use crate::arguments::AuditArguments;
 use crate::drives::{Found, find};
-use crate::output::{disk, print};
+use crate::output::{counted, disk, print};
 
 /// Names the folder of text extracts.
 const MANUALS: &str = "DRIVEWRIGHT_MANUALS";
@@ -81,55 +81,56 @@ impl Reading<'_> {
         };
         let differing = contradictions(self.model, &self.facts, rows, &self.manual.id, &self.text);
         let open = report.open().count() + differing.iter().filter(|c| !c.settled()).count();
+        let mut text = String::new();
         if asked.json {
-            print(&format!("{}\n", json(&report, &differing, open)));
+            text = format!("{}\n", json(&report, &differing, open));
         } else {
-            Self::list(asked, &report, &differing);
+            text += &Self::list(asked, &report, &differing);
             if !quiet {
-                self.sum_up(&report, &differing, open);
+                text += &self.sum_up(&report, &differing, open);
             }
         }
+        let shown = print(&text);
         let end = if open == 0 { End::Fine } else { End::Findings };
-        if asked.record { self.record(&report, end) } else { end }
+        shown.max(if asked.record { self.record(&report, end) } else { end })
     }
 
-    fn list(asked: &AuditArguments, report: &Report, differing: &[Contradiction]) {
-        for finding in report.findings.iter().filter(|f| asked.accepted || f.accepted.is_none()) {
-            println!("{}", line(finding));
-        }
-        for one in differing.iter().filter(|c| asked.contradictions || !c.settled()) {
-            println!("{}", side_by_side(one));
-        }
+    fn list(asked: &AuditArguments, report: &Report, differing: &[Contradiction]) -> String {
+        let findings = report.findings.iter().filter(|f| asked.accepted || f.accepted.is_none()).map(line);
+        let differing = differing.iter().filter(|c| asked.contradictions || !c.settled()).map(side_by_side);
+        findings.chain(differing).map(|line| line + "\n").collect()
     }
 
-    fn sum_up(&self, report: &Report, differing: &[Contradiction], open: usize) {
+    fn sum_up(&self, report: &Report, differing: &[Contradiction], open: usize) -> String {
         let totals = Totals::of(&self.facts);
-        println!(
-            "{}: {} facts: {} stated, {} inferred, {} standard, {} assumed",
+        let facts = format!(
+            "{}: {}: {} stated, {} inferred, {} standard, {} assumed",
             self.found.id,
-            totals.facts(),
+            counted(totals.facts(), "fact"),
             totals.stated,
             totals.inferred,
             totals.standard,
             totals.assumed
         );
-        println!(
+        let proved = format!(
             "{} proved by their lines, {} with words of our own on lines that belong to them, {} accepted without proof",
             report.proved,
             report.worded,
             report.accepted()
         );
-        println!(
-            "{} rows of printed tables are cited, {} are not and hold no fact; {} differences between places, {} of them open",
+        let lines = format!(
+            "rows of printed tables: {} cited, {} not cited and without a fact; {} between places, {} open",
             report.cited_lines,
             report.uncited_lines,
-            differing.len(),
+            counted(differing.len(), "difference"),
             differing.iter().filter(|c| !c.settled()).count()
         );
-        println!(
-            "{}",
-            if open == 0 { "nothing is open".to_owned() } else { format!("{open} findings are open") }
-        );
+        let open = match open {
+            0 => "nothing is open".to_owned(),
+            1 => "1 finding is open".to_owned(),
+            n => format!("{n} findings are open"),
+        };
+        format!("{facts}\n{proved}\n{lines}\n{open}\n")
     }
 
     fn record(&self, report: &Report, end: End) -> End {

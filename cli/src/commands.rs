@@ -8,12 +8,13 @@ use drivewright_codegen::backend::{self, Backend};
 use drivewright_codegen::check::LINTS;
 use drivewright_codegen::diag::{Code, Diagnostic, Severity, code, github, json, page, render};
 use drivewright_codegen::emit::FileSet;
+use drivewright_codegen::model::Model;
 use drivewright_codegen::sink::{self, Difference, SinkError, State};
 use drivewright_codegen::{Compiled, compile_folder, emit, schema};
 
 use crate::arguments::{Arguments, Command, Format};
 use crate::drives::folder;
-use crate::output::{counted, disk, print};
+use crate::output::{counted, disk, print, several};
 use crate::{End, audit, coverage};
 
 /// Runs the command.
@@ -52,34 +53,35 @@ fn end(compiled: &Compiled) -> End {
 }
 
 /// Prints the findings, and for people a summary of what they are.
-fn show(compiled: &Compiled, folder: &Path, format: Format, quiet: bool) {
+fn show(compiled: &Compiled, folder: &Path, format: Format, quiet: bool) -> End {
     let Compiled { diagnostics, sources, .. } = compiled;
     let folder = folder.display().to_string().replace('\\', "/");
     match format {
-        Format::Json => {
-            print(&json::lines(diagnostics, sources));
-        }
-        Format::Github => {
-            print(&github::commands(diagnostics, sources, &folder));
-        }
+        Format::Json => print(&json::lines(diagnostics, sources)),
+        Format::Github => print(&github::commands(diagnostics, sources, &folder)),
         Format::Human => {
             eprint!("{}", render::text(diagnostics, sources, style()));
             if let Some(summary) = render::summary(diagnostics) {
                 eprintln!("{folder}: {summary}; `drivewright explain CODE` tells more");
             } else if let (Some(model), false) = (&compiled.model, quiet) {
-                println!(
-                    "{folder}: {} {}: {} objects, {} entries, {} PDOs, {} alarms, {} errata, no findings",
-                    model.drive.vendor,
-                    model.drive.name,
-                    model.objects.len(),
-                    model.entries.len(),
-                    model.pdos.len(),
-                    model.alarms.len(),
-                    model.errata.len()
-                );
+                return print(&counts(model, &folder));
             }
+            End::Fine
         }
     }
+}
+
+fn counts(model: &Model, folder: &str) -> String {
+    format!(
+        "{folder}: {} {}: {}, {}, {}, {}, {}, no findings\n",
+        model.drive.vendor,
+        model.drive.name,
+        counted(model.objects.len(), "object"),
+        several(model.entries.len(), "entry", "entries"),
+        counted(model.pdos.len(), "PDO"),
+        counted(model.alarms.len(), "alarm"),
+        several(model.errata.len(), "erratum", "errata")
+    )
 }
 
 fn style() -> render::Style {
@@ -89,8 +91,7 @@ fn style() -> render::Style {
 
 fn check(folder: &Path, format: Format, quiet: bool) -> End {
     let (compiled, _) = compile_folder(folder);
-    show(&compiled, folder, format, quiet);
-    end(&compiled)
+    show(&compiled, folder, format, quiet).max(end(&compiled))
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -140,9 +141,9 @@ fn build(folder: &Path, to: &Target<'_>, only: &[String], format: Format, quiet:
     }
     let (mut compiled, _) = compile_folder(folder);
     let Some(model) = compiled.sound().cloned() else {
-        show(&compiled, folder, format, quiet);
+        let shown = show(&compiled, folder, format, quiet);
         eprintln!("nothing was written");
-        return end(&compiled);
+        return shown.max(end(&compiled));
     };
     let chosen: Vec<&dyn Backend> = backend::ALL
         .iter()
@@ -151,24 +152,26 @@ fn build(folder: &Path, to: &Target<'_>, only: &[String], format: Format, quiet:
         .collect();
     let (files, losses) = emit(&model, &chosen);
     compiled.diagnostics.extend(losses);
-    show(&compiled, folder, format, true);
+    let shown = show(&compiled, folder, format, true);
     if compiled.sound().is_none() {
         eprintln!("nothing was written");
-        return End::Findings;
+        return shown.max(End::Findings);
     }
-    match to.deliver(&files) {
-        Ok(found) => told(&files, to, &found, quiet),
+    shown.max(match to.deliver(&files) {
+        Ok(found) => told(&files, to, &found, format, quiet),
         Err(error) => disk(&error),
-    }
+    })
 }
 
-fn told(files: &FileSet, to: &Target<'_>, found: &[Difference], quiet: bool) -> End {
+/// Says what was done: on standard output for people, else beside the findings that a program reads there.
+fn told(files: &FileSet, to: &Target<'_>, found: &[Difference], format: Format, quiet: bool) -> End {
     let (out, mode) = (to.folder, to.mode);
     let place = out.display().to_string().replace('\\', "/");
+    let mut text = String::new();
     for difference in found.iter().filter(|_| mode != Mode::Write) {
-        println!("{}: {place}/{}", difference.state.word(), difference.path);
+        text.extend([difference.state.word(), ": ", &place, "/", difference.path.as_str(), "\n"]);
         if mode == Mode::Diff {
-            print(&sink::unified(files, out, &difference.path));
+            text += &sink::unified(files, out, &difference.path);
         }
     }
     if !quiet {
@@ -176,9 +179,15 @@ fn told(files: &FileSet, to: &Target<'_>, found: &[Difference], quiet: bool) -> 
         let rest = found.len() - gone;
         let would = if mode == Mode::Write { "" } else { "would be " };
         let pruned = if to.prune { format!(", {gone} {would}removed") } else { String::new() };
-        println!("{place}: {}, {rest} {would}written{pruned}", counted(files.len(), "file"));
+        text.extend([format!("{place}: {}, {rest} {would}written{pruned}\n", counted(files.len(), "file"))]);
     }
-    if mode == Mode::Check && !found.is_empty() { End::Findings } else { End::Fine }
+    let shown = if format == Format::Human {
+        print(&text)
+    } else {
+        eprint!("{text}");
+        End::Fine
+    };
+    shown.max(if mode == Mode::Check && !found.is_empty() { End::Findings } else { End::Fine })
 }
 
 fn explain(wanted: &str) -> End {

@@ -6,7 +6,9 @@ use crate::End;
 
 /// Prints `text`. A reader that has seen enough (`drivewright lints | head`) is no error.
 pub(crate) fn print(text: &str) -> End {
-    match std::io::stdout().write_all(text.as_bytes()) {
+    let mut out = std::io::stdout();
+    // What stays in the buffer would be lost in silence.
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => disk(&error),
         _ => End::Fine,
     }
@@ -20,5 +22,10 @@ pub(crate) fn disk(error: &dyn std::fmt::Display) -> End {
 
 /// A number of things, with the plural where it is one.
 pub(crate) fn counted(n: usize, one: &str) -> String {
-    if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") }
+    several(n, one, &format!("{one}s"))
+}
+
+/// A number of things whose plural is a word of its own.
+pub(crate) fn several(n: usize, one: &str, many: &str) -> String {
+    format!("{n} {}", if n == 1 { one } else { many })
 }

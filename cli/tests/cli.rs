@@ -55,7 +55,7 @@ fn a_sound_profile_is_checked_and_built() {
     let at = folder("sound", &drive());
     let checked = run(&at, &["check", "profile"]);
     assert_eq!((code(&checked), err(&checked).as_str()), (0, ""));
-    assert!(out(&checked).contains("1 objects, 1 entries") && out(&checked).contains("no findings"));
+    assert!(out(&checked).contains("1 object, 1 entry, 0 PDOs") && out(&checked).contains("no findings"));
     assert_eq!(out(&run(&at, &["check", "profile", "--quiet"])), "");
     assert_eq!(code(&run(&at, &["build", "profile", "--out", "o", "--check"])), 1, "all is missing");
     assert!(!at.join("o").exists());
@@ -142,5 +142,41 @@ fn codes_are_listed_and_explained() {
     assert!(out(&run(&at, &["schema"])).contains("draft-07"));
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         assert!(out(&run(&at, &["completions", shell])).contains("drivewright"), "{shell}");
+    }
+}
+
+/// What a program reads on standard output is findings and nothing else.
+#[test]
+fn a_summary_for_people_is_not_among_the_findings_of_a_program() {
+    let at = folder("summary", &drive());
+    for format in ["json", "github"] {
+        let built = run(&at, &["build", "profile", "--out", "o", "--only", "map", "--format", format]);
+        assert_eq!((code(&built), out(&built).as_str()), (0, ""), "{format}");
+        assert!(err(&built).contains("o: 1 file"), "{}", err(&built));
+    }
+}
+
+#[test]
+fn a_full_disk_is_said_and_ends_with_its_code() {
+    let Ok(full) = fs::OpenOptions::new().write(true).open("/dev/full") else {
+        println!("skipped: this system has no /dev/full");
+        return;
+    };
+    let at = folder("full", &drive());
+    let unsound = folder("full-unsound", &drive().replace("default = 5", "default = 70000"));
+    for (at, arguments) in [
+        (&at, "check profile"),
+        (&at, "build profile --out o"),
+        (&at, "build profile --out p --check"),
+        (&at, "coverage profile"),
+        (&at, "lints"),
+        (&unsound, "check profile --format json"),
+        (&unsound, "check profile --format github"),
+    ] {
+        let mut program = Command::new(env!("CARGO_BIN_EXE_drivewright"));
+        program.current_dir(at).args(arguments.split(' ')).stdout(full.try_clone().expect("a handle"));
+        let ended = program.output().expect("the program runs");
+        assert_eq!(code(&ended), 3, "{arguments}: {}", err(&ended));
+        assert!(err(&ended).contains("error: "), "{arguments}: {}", err(&ended));
     }
 }

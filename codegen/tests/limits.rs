@@ -201,6 +201,14 @@ fn many_rows_of_one_homing_method_take_linear_time() {
 }
 
 #[test]
+fn what_would_be_read_as_something_else_is_refused() {
+    let homing = r#"homing = [{ method = 1, when = "any", moves = "+ slow until home on; latch", abort = "any", src = "1 L1" }]"#;
+    assert_eq!(codes(homing), ["E0312"]);
+    let example = r#"examples = [{ id = "a", write = "2000", value = 1, src = "1 L1" }]"#;
+    assert_eq!(codes(&format!("{}\n{example}", object(""))), ["E0110"]);
+}
+
+#[test]
 fn ranges_do_not_multiply_without_bound() {
     let mut tables = String::from("objects = [\n");
     for index in 0..4_000 {

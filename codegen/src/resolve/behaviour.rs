@@ -35,6 +35,7 @@ pub(super) fn fill(model: &mut Model, profile: &Profile, sink: &mut Sink) {
     let key = |r: &ExampleRow| (r.id.value.clone(), r.step.map(|s| s.value));
     model.examples = sorted(&rows.examples, key, sink).map(|r| example(r, errata)).collect();
     reasons(profile, sink);
+    writes_are_of_entries(&rows.examples, sink);
     objects_exist(model, &profile.rows, sink);
 }
 
@@ -211,6 +212,18 @@ fn example(row: &ExampleRow, errata: &[ErratumRow]) -> Example {
         min: count("min", row.min.as_ref()),
         max: count("max", row.max.as_ref()),
         text: text(row.text.as_ref()),
+    }
+}
+
+/// An example writes an entry; an index as a whole is none.
+fn writes_are_of_entries(rows: &[ExampleRow], sink: &mut Sink) {
+    for at in rows.iter().filter_map(|r| r.write.as_ref()).filter(|at| at.value.sub == Sub::Whole) {
+        let text = format!("`write` names {} without a sub-index", at.value);
+        sink.push(
+            Diagnostic::new(code::BAD_ADDRESS, at.span, text)
+                .why("an SDO transfer writes one sub-index, and sub-index 0 may not be the one that is meant")
+                .help(format!("write it as `{0}:00`, or `{0}:01..04` for several", at.value)),
+        );
     }
 }
 

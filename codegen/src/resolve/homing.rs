@@ -56,6 +56,7 @@ fn once<'a>(rows: &[&'a HomingRow], sink: &mut Sink) -> Vec<&'a HomingRow> {
     let mut kept = Vec::new();
     for (n, row) in rows.iter().enumerate() {
         complete(row, &whole, sink);
+        can_end(row, sink);
         match (seen.get(&key(row)), n) {
             (Some(twin), _) => crate::merge::duplicate(*row, *twin, sink),
             (None, 0) => {}
@@ -139,6 +140,14 @@ fn complete(row: &HomingRow, whole: &Whole, sink: &mut Sink) {
             "add `when` and `moves`, or `same`, or `status = \"reserved\"`",
         )),
         _ => {}
+    }
+}
+
+/// `any` holds at once: with it as `abort` every homing would end with an error.
+fn can_end(row: &HomingRow, sink: &mut Sink) {
+    if let Some(abort) = row.abort.as_ref().filter(|abort| abort.value.0.is_empty()) {
+        let text = format!("`homing {}` always ends with an error", row.method.value);
+        sink.push(wrong(abort.span, text, "name the switch that ends it, or remove `abort`"));
     }
 }
 
