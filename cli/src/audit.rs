@@ -155,11 +155,7 @@ fn line(finding: &Finding) -> String {
 }
 
 fn side_by_side(one: &Contradiction) -> String {
-    let places: Vec<String> = one
-        .places
-        .iter()
-        .map(|p| format!("L{} {}", p.line, p.printed.as_deref().unwrap_or("nothing")))
-        .collect();
+    let places: Vec<String> = one.places.iter().map(|p| format!("L{} {}", p.line, p.printed)).collect();
     let settled = match (&one.harmless, one.errata.as_slice()) {
         (Some(why), _) => format!("harmless: {why}"),
         (None, []) => "open".to_owned(),

@@ -16,8 +16,8 @@ const NOT_STATED: &str = "not stated";
 pub struct Place {
     /// The line of the text extract.
     pub line: u32,
-    /// What is printed there for the key; `None` where the place is silent.
-    pub printed: Option<String>,
+    /// What is printed there for the key.
+    pub printed: String,
 }
 
 /// A key of a row that is printed in more than one place, not everywhere the same.
@@ -110,7 +110,7 @@ impl Comparison<'_> {
             };
             let place = |number: &u32| {
                 let printed = self.page.line(*number).and_then(printed)?;
-                Some(Place { line: *number, printed: Some(printed) })
+                Some(Place { line: *number, printed })
             };
             self.note(row, field, NOT_STATED, lines.iter().filter_map(place).collect(), found);
         }
@@ -123,7 +123,7 @@ impl Comparison<'_> {
         let lines = || self.page.lines().filter(|(_, line)| titles.contains(&line.section.as_str()));
         let Some((title_line, first)) = lines().next() else { return };
         let title = first.section.split_once(") ").map_or(first.section.as_str(), |(_, title)| title);
-        let place = |line: u32, printed: &str| Place { line, printed: Some(printed.to_owned()) };
+        let place = |line: u32, printed: &str| Place { line, printed: printed.to_owned() };
         for fact in row.facts.iter().filter(|f| f.field == "name" && !same(title, &f.value)) {
             self.note(row, "name", &fact.value, vec![place(title_line, title)], found);
         }
@@ -161,7 +161,7 @@ impl Comparison<'_> {
             let line = self.page.line(*number)?;
             let cell = line.cell(column).filter(|cell| *cell != "-")?;
             let shown = self.words.shows(row, fact, line) || split(*number);
-            (!shown).then(|| Place { line: *number, printed: Some(cell.to_owned()) })
+            (!shown).then(|| Place { line: *number, printed: cell.to_owned() })
         };
         lines.iter().filter_map(other).collect()
     }
