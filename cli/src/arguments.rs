@@ -79,10 +79,20 @@ pub(crate) enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Checks a configuration of a drive and writes it as a DCF, or as the list of writes of a master.
+    #[command(after_help = "Examples:\n  drivewright dcf sdv3-e --config axis.toml\n  \
+                            drivewright dcf profiles/acme/x1 --config axis.toml --out axis.dcf --concise axis.bin\n  \
+                            drivewright dcf sdv3-e --config axis.toml --out axis.dcf --check\n\n\
+                            profiles/CONFIGURATIONS.md describes the configuration.")]
+    Dcf(DcfArguments),
     /// Lists every code.
     Lints,
     /// Prints the JSON schema of profiles, for completion in an editor.
-    Schema,
+    Schema {
+        /// Print that of configurations.
+        #[arg(long)]
+        configuration: bool,
+    },
     /// Prints a completion script.
     #[command(
         after_help = "Example:\n  drivewright completions bash > ~/.local/share/bash-completion/completions/drivewright"
@@ -117,6 +127,28 @@ pub(crate) struct AuditArguments {
     /// Print the result as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// What `dcf` is asked for.
+#[derive(Args)]
+pub(crate) struct DcfArguments {
+    /// Id of a drive below `profiles/`, or the profile's folder.
+    pub(crate) drive: String,
+    /// The configuration.
+    #[arg(long)]
+    pub(crate) config: PathBuf,
+    /// The DCF to write. It goes to standard output where neither --out nor --concise is given.
+    #[arg(long)]
+    pub(crate) out: Option<PathBuf>,
+    /// The concise DCF to write: what a master writes, in order, in binary.
+    #[arg(long)]
+    pub(crate) concise: Option<PathBuf>,
+    /// Write nothing; name every missing or changed file and end with 1 if there is one.
+    #[arg(long)]
+    pub(crate) check: bool,
+    /// How findings are printed.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) format: Format,
 }
 
 /// How findings are printed.

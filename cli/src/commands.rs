@@ -10,12 +10,13 @@ use drivewright_codegen::diag::{Code, Diagnostic, Severity, code, github, json, 
 use drivewright_codegen::emit::FileSet;
 use drivewright_codegen::model::Model;
 use drivewright_codegen::sink::{self, Difference, SinkError, State};
-use drivewright_codegen::{Compiled, compile_folder, emit, schema};
+use drivewright_codegen::source::SourceMap;
+use drivewright_codegen::{Compiled, compile_folder, configuration, emit, schema};
 
 use crate::arguments::{Arguments, Command, Format};
 use crate::drives::folder;
 use crate::output::{counted, disk, print, several};
-use crate::{End, audit, coverage};
+use crate::{End, audit, coverage, dcf};
 
 /// Runs the command.
 pub(crate) fn run(arguments: &Arguments) -> End {
@@ -34,7 +35,9 @@ pub(crate) fn run(arguments: &Arguments) -> End {
         Command::Audit(asked) => audit::run(asked, quiet),
         Command::Coverage { drives, json } => coverage::run(drives, *json),
         Command::Lints => print(&codes()),
-        Command::Schema => print(&schema::profile_schema()),
+        Command::Dcf(asked) => dcf::run(asked, quiet),
+        Command::Schema { configuration: true } => print(&schema::configuration_schema()),
+        Command::Schema { .. } => print(&schema::profile_schema()),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(*shell, &mut Arguments::command(), "drivewright", &mut script);
@@ -56,15 +59,30 @@ fn end(compiled: &Compiled) -> End {
 fn show(compiled: &Compiled, folder: &Path, format: Format, quiet: bool) -> End {
     let Compiled { diagnostics, sources, .. } = compiled;
     let folder = folder.display().to_string().replace('\\', "/");
+    let shown = findings(diagnostics, sources, &folder, &folder, format);
+    match &compiled.model {
+        Some(model) if diagnostics.is_empty() && format == Format::Human && !quiet => {
+            print(&counts(model, &folder))
+        }
+        _ => shown,
+    }
+}
+
+/// Prints findings; for people also a summary of what they are in `of`. The paths of the sources are below `folder`.
+pub(crate) fn findings(
+    found: &[Diagnostic],
+    sources: &SourceMap,
+    folder: &str,
+    of: &str,
+    format: Format,
+) -> End {
     match format {
-        Format::Json => print(&json::lines(diagnostics, sources)),
-        Format::Github => print(&github::commands(diagnostics, sources, &folder)),
+        Format::Json => print(&json::lines(found, sources)),
+        Format::Github => print(&github::commands(found, sources, folder)),
         Format::Human => {
-            eprint!("{}", render::text(diagnostics, sources, style()));
-            if let Some(summary) = render::summary(diagnostics) {
-                eprintln!("{folder}: {summary}; `drivewright explain CODE` tells more");
-            } else if let (Some(model), false) = (&compiled.model, quiet) {
-                return print(&counts(model, &folder));
+            eprint!("{}", render::text(found, sources, style()));
+            if let Some(summary) = render::summary(found) {
+                eprintln!("{of}: {summary}; `drivewright explain CODE` tells more");
             }
             End::Fine
         }
@@ -202,9 +220,10 @@ fn explain(wanted: &str) -> End {
     End::Usage
 }
 
-/// The codes without a page beside a lint: those of the stages before the lints, and those of the backends.
+/// The codes without a page beside a lint: those of the stages before the lints, of the backends and of configurations.
 fn plain_codes() -> impl Iterator<Item = Code> {
-    code::ALL.iter().copied().chain(backend::ALL.iter().flat_map(|b| b.codes()).copied())
+    let backends = backend::ALL.iter().flat_map(|b| b.codes());
+    code::ALL.iter().chain(backends).chain(configuration::code::ALL).copied()
 }
 
 fn codes() -> String {

@@ -11,6 +11,7 @@ mod arguments;
 mod audit;
 mod commands;
 mod coverage;
+mod dcf;
 mod drives;
 mod output;
 

@@ -60,6 +60,14 @@ pub fn folder(folder: &Path) -> Loaded {
     loaded
 }
 
+/// Reads one file that is no part of a profile. Findings name it as `path` does.
+pub fn file(path: &Path) -> Result<Source, Vec<Diagnostic>> {
+    let mut loaded = Loaded::default();
+    loaded.text(path);
+    let source = loaded.sources.pop().map(|source| Source { path: shown(path), ..source });
+    source.ok_or(loaded.diagnostics)
+}
+
 fn toml_files(folder: &Path) -> io::Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     for entry in fs::read_dir(folder)? {

@@ -1,19 +1,30 @@
-//! JSON schema of a profile file, for completion and hints in editors, made from the same list of tables that decodes them.
+//! JSON schemas of profile and configuration files, for completion and hints in editors, made from the same list of tables that decodes them.
 //!
 //! Draft 7, and only its plain parts: that is what TOML language servers understand.
 
 use serde_json::{Map, Value, json};
 
 use crate::limits;
-use crate::rows::{FieldInfo, Kind, Rows, TableInfo};
+use crate::rows::{ConfigurationRows, FieldInfo, Kind, Rows, TableInfo};
 
-/// The schema as JSON text, ending with a line feed.
+/// The schema of a profile file as JSON text, ending with a line feed.
 pub fn profile_schema() -> String {
-    let tables: Map<String, Value> = Rows::TABLES.iter().map(|t| (t.name.to_owned(), table(t))).collect();
+    let about = "A file of a drive profile: tables of rows, one row a fact. A key that is left out means that the manual does not say.";
+    schema("drivewright profile, format 1", about, Rows::TABLES)
+}
+
+/// The schema of a configuration file, the same way.
+pub fn configuration_schema() -> String {
+    let about = "A configuration of one drive: what a master writes to it. What is left out stays as it is.";
+    schema("drivewright configuration, format 1", about, ConfigurationRows::TABLES)
+}
+
+fn schema(title: &str, about: &str, tables: &[TableInfo]) -> String {
+    let tables: Map<String, Value> = tables.iter().map(|t| (t.name.to_owned(), table(t))).collect();
     let schema = json!({
         "$schema": "http://json-schema.org/draft-07/schema#",
-        "title": "drivewright profile, format 1",
-        "description": "A file of a drive profile: tables of rows, one row a fact. A key that is left out means that the manual does not say.",
+        "title": title,
+        "description": about,
         "type": "object",
         "additionalProperties": false,
         "properties": tables,
@@ -21,10 +32,13 @@ pub fn profile_schema() -> String {
     format!("{schema:#}\n")
 }
 
-/// A table is a list of rows; `drive` is one row.
+/// Tables that are one row.
+const SINGLE: [&str; 2] = ["drive", "axis"];
+
+/// A table is a list of rows, or one row.
 fn table(table: &TableInfo) -> Value {
     let mut row = row(table);
-    if table.name == "drive" {
+    if SINGLE.contains(&table.name) {
         row["description"] = json!(table.doc.trim());
         return row;
     }
@@ -68,11 +82,13 @@ mod tests {
 
     #[test]
     fn every_table_and_key_has_a_description() {
-        let schema: Value = serde_json::from_str(&profile_schema()).unwrap();
-        for table in Rows::TABLES {
+        let schemas = [(profile_schema(), Rows::TABLES), (configuration_schema(), ConfigurationRows::TABLES)];
+        for (schema, table) in schemas.iter().flat_map(|(text, tables)| tables.iter().map(move |t| (text, t)))
+        {
+            let schema: Value = serde_json::from_str(schema).unwrap();
             let shape = &schema["properties"][table.name];
             assert!(shape["description"].as_str().is_some_and(|d| !d.is_empty()), "{}", table.name);
-            let row = if table.name == "drive" { shape } else { &shape["items"] };
+            let row = if SINGLE.contains(&table.name) { shape } else { &shape["items"] };
             for field in table.fields {
                 let described = row["properties"][field.key]["description"].as_str();
                 assert!(described.is_some_and(|d| !d.is_empty()), "{}.{}", table.name, field.key);

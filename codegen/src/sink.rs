@@ -135,7 +135,12 @@ fn bring(files: &FileSet, folder: &Path, found: &[Difference]) -> Result<(), Sin
 
 /// Writes one file, whole or not at all, unless it holds these bytes already.
 pub fn write_file(place: &Path, bytes: &[u8]) -> Result<(), SinkError> {
-    if plain(place).is_ok_and(|old| old.as_deref() == Some(bytes)) { Ok(()) } else { replace(place, bytes) }
+    if holds(place, bytes) { Ok(()) } else { replace(place, bytes) }
+}
+
+/// Whether there is a file of these bytes.
+pub fn holds(place: &Path, bytes: &[u8]) -> bool {
+    plain(place).is_ok_and(|old| old.as_deref() == Some(bytes))
 }
 
 /// What [`write()`] would change in the file at `path`, as a unified diff.

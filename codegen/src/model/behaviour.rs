@@ -1,5 +1,6 @@
 //! How the drive behaves, besides its dictionary: modes, states, rules, its EtherCAT side and its terminals.
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 use super::{
@@ -136,6 +137,20 @@ pub struct Rule {
     pub when: Option<Fact<Expr>>,
     /// On which occasion; `None`: always.
     pub on: Option<Fact<Occasion>>,
+}
+
+impl Rule {
+    /// The objects that it names.
+    pub fn objects(&self) -> BTreeSet<Address> {
+        self.require.iter().chain(&self.when).flat_map(|expr| expr.value.objects()).collect()
+    }
+
+    /// Whether it holds for these values and is not obeyed; never where one that decides this is unknown.
+    pub fn broken(&self, value: impl Fn(Address) -> Option<i128>) -> bool {
+        let value = |expr: &Fact<Expr>| expr.value.value(&value);
+        let holds = self.when.as_ref().map_or(Some(1), value).is_some_and(|when| when != 0);
+        holds && self.require.as_ref().and_then(value) == Some(0)
+    }
 }
 
 /// Entries of one index, first to last.

@@ -25,7 +25,7 @@ pub use parts::{
     Alarm, BitField, BitsDef, Drive, EnumDef, EnumValue, Erratum, Limits, Manual, Mapping, Value,
 };
 pub use ty::Type;
-pub use unit::{Quantity, Unit, UnitError};
+pub use unit::{CountsError, Quantity, Unit, UnitError};
 pub use visit::RowOrigins;
 pub use word::{
     Access, Direction, Edge, Effect, EmcyContent, EsmAfter, EsmState, FmmuUse, HomingSignal, HomingStart,
@@ -140,6 +140,21 @@ pub struct Entry {
 }
 
 impl Entry {
+    /// The facts that forbid a raw value: who states each, and why it forbids. An entry whose values are no whole
+    /// numbers forbids none.
+    pub fn refusals(&self, value: i128) -> impl Iterator<Item = (&Origin, String)> {
+        let outside = |(low, high): (i128, i128)| !(low..=high).contains(&value);
+        let ty = self.ty.value.range().is_some_and(outside);
+        let ty = ty.then(|| (&self.ty.origin, format!("whose type {} has no {value}", self.ty.value)));
+        let min = self.min.as_ref().filter(|min| value < min.value);
+        let max = self.max.as_ref().filter(|max| value > max.value);
+        let limit = move |limit: &Fact<i128>| format!("whose limit {} excludes {value}", limit.value);
+        let limits = min.into_iter().chain(max).map(move |fact| (&fact.origin, limit(fact)));
+        let allow = self.allow.as_ref().filter(|allow| !allow.value.contains(&value));
+        let allow = allow.map(|allow| (&allow.origin, format!("which does not allow {value}")));
+        ty.into_iter().chain(limits).chain(allow)
+    }
+
     /// The default, where it is a number.
     pub fn default_int(&self) -> Option<Sp<i128>> {
         let default = self.default.as_ref()?;
@@ -164,6 +179,15 @@ pub struct Pdo {
 }
 
 impl Pdo {
+    /// The direction of the PDO whose mapping object has this index.
+    pub fn direction_of(index: u16) -> Option<Direction> {
+        match index {
+            0x1600..=0x17FF => Some(Direction::Rx),
+            0x1A00..=0x1BFF => Some(Direction::Tx),
+            _ => None,
+        }
+    }
+
     /// Length of the default mapping in bits.
     pub fn bits(&self) -> u32 {
         self.entries.iter().map(|e| u32::from(e.bits.value)).sum()
@@ -184,6 +208,12 @@ pub struct PdoEntry {
 }
 
 impl Model {
+    /// Whether the drive is on a CAN bus: it has nothing of EtherCAT.
+    pub fn on_can(&self) -> bool {
+        self.drive.bases.iter().all(|base| base != "coe")
+            && [0x1C12, 0x1C13].iter().all(|index| self.object(*index).is_none())
+    }
+
     /// The entry at `address`.
     pub fn entry(&self, address: Address) -> Option<(EntryId, &Entry)> {
         let at = self.entries.as_slice().binary_search_by_key(&address, |e| e.address).ok()?;

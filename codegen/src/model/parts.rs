@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Address, Cite, Detection, Fact, Reset, Sure};
+use super::{Address, Cite, Detection, Direction, Fact, Reset, Sure};
 use crate::name::Name;
 
 /// Who made the drive, and the versions of what is generated.
@@ -86,6 +86,11 @@ impl Mapping {
         }
     }
 
+    /// Whether a PDO of this direction may carry it.
+    pub fn has(self, direction: Direction) -> bool {
+        if direction == Direction::Rx { self.rx } else { self.tx }
+    }
+
     /// Whether any PDO may carry it.
     pub fn any(self) -> bool {
         self.rx || self.tx
@@ -99,6 +104,24 @@ pub enum Value {
     Int(i128),
     /// Text.
     Text(String),
+}
+
+impl Value {
+    /// The number that the text `$NODEID+number` or `number+$NODEID` adds to the node-ID.
+    pub(crate) fn node_id_formula(text: &str) -> Option<i128> {
+        let parts: Vec<&str> = text.split('+').map(str::trim).collect();
+        let is_node_id = |part: &&str| part.eq_ignore_ascii_case("$NODEID");
+        match parts.as_slice() {
+            [id] if is_node_id(id) => Some(0),
+            [id, n] | [n, id] if is_node_id(id) && !is_node_id(n) => whole(n),
+            _ => None,
+        }
+    }
+}
+
+fn whole(text: &str) -> Option<i128> {
+    let (digits, radix) = text.strip_prefix("0x").map_or((text, 10), |hex| (hex, 16));
+    u64::from_str_radix(digits, radix).ok().filter(|_| !digits.starts_with('+')).map(i128::from)
 }
 
 impl fmt::Display for Value {

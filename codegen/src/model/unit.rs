@@ -174,7 +174,53 @@ impl fmt::Display for UnitError {
 
 impl std::error::Error for UnitError {}
 
+/// Why a text is no number of counts.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum CountsError {
+    /// It does not begin with a decimal number and a blank.
+    Number,
+    /// No such symbol.
+    Symbol(String),
+    /// It measures something else.
+    Quantity(Quantity),
+    /// It lies between this number of counts and the next one.
+    Between(i128),
+}
+
+impl fmt::Display for CountsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number => f.write_str("no decimal number and a unit, such as `150.0 rpm`"),
+            Self::Symbol(text) => write!(f, "of the unit `{text}`, which drivewright does not know"),
+            Self::Quantity(quantity) => write!(f, "of the quantity {}", quantity.name()),
+            Self::Between(counts) => write!(f, "between {counts} and {} counts", counts + 1),
+        }
+    }
+}
+
+impl std::error::Error for CountsError {}
+
 impl Unit {
+    /// How many counts of this unit a quantity such as `-150.0 rpm` is, if that is a whole number.
+    pub fn counts(&self, text: &str) -> Result<i128, CountsError> {
+        let (number, symbol) = text.split_once(' ').ok_or(CountsError::Number)?;
+        let (num, den) = parse_decimal(number).ok_or(CountsError::Number)?;
+        let (_, quantity, n, d) =
+            SYMBOLS.iter().find(|s| s.0 == symbol).ok_or_else(|| CountsError::Symbol(symbol.to_owned()))?;
+        if *quantity != self.quantity {
+            return Err(CountsError::Quantity(*quantity));
+        }
+        // No product overflows: a decimal has at most 18 digits, a factor at most 9 before and behind the stroke.
+        let above = num * i128::from(*n) * i128::from(self.den);
+        let below = den * i128::from(*d) * i128::from(self.num);
+        if above % below == 0 {
+            Ok(above / below)
+        } else {
+            Err(CountsError::Between(above.div_euclid(below)))
+        }
+    }
+
     /// Reads `[factor] symbol`.
     pub fn parse(text: &str) -> Result<Self, UnitError> {
         let (factor, symbol) = match text.split_once(' ') {
@@ -228,6 +274,17 @@ fn parse_factor(text: &str) -> Option<(u64, u64)> {
     (num <= limits::FACTOR.into() && den <= limits::FACTOR.into()).then_some((num, den))
 }
 
+/// A decimal number with its sign as a fraction.
+fn parse_decimal(text: &str) -> Option<(i128, i128)> {
+    let digits = text.strip_prefix('-').unwrap_or(text);
+    let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
+    let all = format!("{whole}{fraction}");
+    let sound = !whole.is_empty() && !digits.ends_with('.') && all.len() <= 18;
+    let number: i128 = all.parse().ok().filter(|_| sound && all.bytes().all(|b| b.is_ascii_digit()))?;
+    let den = 10i128.pow(u32::try_from(fraction.len()).ok()?);
+    Some((if digits.len() < text.len() { -number } else { number }, den))
+}
+
 fn reduce(num: u64, den: u64) -> (u64, u64) {
     let (mut a, mut b) = (num, den);
     while b != 0 {
@@ -249,6 +306,28 @@ mod tests {
         let unit = Unit::parse("1/65536 rev").unwrap();
         assert_eq!((unit.num, unit.den), (1, 65_536));
         assert_eq!(Unit::parse("user position").unwrap().quantity, Quantity::UserPosition);
+    }
+
+    #[test]
+    fn quantities_are_whole_counts_or_refused() {
+        let counts = |unit, text| Unit::parse(unit).unwrap().counts(text);
+        assert_eq!(counts("0.1 rpm", "150.0 rpm"), Ok(1_500));
+        assert_eq!(counts("0.1 rpm", "-2.5 rev/s"), Ok(-1_500));
+        assert_eq!(counts("0.1 % rated torque", "100 % rated torque"), Ok(1_000));
+        assert_eq!(counts("62500 ns", "0.25 ms"), Ok(4));
+        assert_eq!(counts("1/65536 rev", "0 deg"), Ok(0));
+        assert_eq!(counts("0.1 rpm", "150.05 rpm"), Err(CountsError::Between(1_500)));
+        assert_eq!(counts("0.1 rpm", "-0.01 rpm"), Err(CountsError::Between(-1)));
+        assert_eq!(counts("0.1 rpm", "1 ms"), Err(CountsError::Quantity(Quantity::Time)));
+        assert_eq!(counts("0.1 rpm", "1 furlong"), Err(CountsError::Symbol("furlong".into())));
+        for bad in
+            ["rpm", "1rpm", "1. rpm", ".5 rpm", "+1 rpm", "1e3 rpm", "-- rpm", "1234567890123456789 rpm", ""]
+        {
+            assert_eq!(counts("0.1 rpm", bad), Err(CountsError::Number), "{bad}");
+        }
+        // The widest of everything.
+        assert!(counts("1/1000000000 rev", "999999999999999999 deg").is_ok());
+        assert!(counts("277777 h", "0.00000000000000001 ns").is_err());
     }
 
     #[test]

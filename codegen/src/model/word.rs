@@ -297,6 +297,11 @@ impl Access {
     pub fn writes(self) -> bool {
         matches!(self, Self::Rw | Self::Wo)
     }
+
+    /// Whether a PDO of this direction can carry the value: what a PDO brings is written, what it sends is read.
+    pub fn carries(self, direction: Direction) -> bool {
+        if direction == Direction::Rx { self.writes() } else { self.reads() }
+    }
 }
 
 #[cfg(test)]

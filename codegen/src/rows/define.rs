@@ -42,7 +42,7 @@ macro_rules! is_required {
     };
 }
 
-/// Defines the row structs, their decoders, and [`Rows`], which holds all tables of a profile.
+/// Defines the row structs and their decoders.
 macro_rules! rows {
     ($(
         $(#[doc = $doc:literal])+
@@ -103,18 +103,18 @@ macro_rules! rows {
     };
 }
 
-/// Defines the struct of all tables.
+/// Defines a struct of tables.
 macro_rules! tables {
-    ($( $table:ident: $row:ident, )+) => {
-        /// All rows of a profile or base.
+    ($(#[doc = $doc:literal])+ $rows:ident { $( $table:ident: $row:ident, )+ }) => {
+        $(#[doc = $doc])+
         #[derive(Clone, Default, Debug)]
-        pub struct Rows {
+        pub struct $rows {
             $( #[doc = concat!("The rows of `", stringify!($table), "`.")] pub $table: Vec<$row>, )+
             /// Keys of rows that were left out because something in them is wrong; what refers to them is not reported again.
             pub left_out: BTreeSet<String>,
         }
 
-        impl Rows {
+        impl $rows {
             /// Every table of the format.
             pub const TABLES: &'static [TableInfo] = &[$(<$row as Row>::TABLE),+];
 

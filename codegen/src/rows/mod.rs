@@ -18,7 +18,7 @@ pub use decode::{Decoder, FieldInfo, TableInfo};
 pub use define::{Visit, VisitMut};
 pub(crate) use kind::suggest;
 pub use kind::{Expected, FromRaw, Kind};
-pub use tables::Rows;
+pub use tables::{ConfigurationRows, Rows};
 
 use std::collections::BTreeMap;
 

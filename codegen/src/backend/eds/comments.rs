@@ -17,6 +17,16 @@ const LOST: &str = "An EDS has no keys for units, scale factors, names of values
 const MAPPED: &str = "DefaultValue of sub-index 0 counts what is mapped or assigned by default. It is not the highest \
     sub-index:";
 
+const CHOSEN: &str =
+    "ParameterValue and the section DeviceComissioning are a user's choices, and not of the manual.";
+
+/// The lines of a device configuration file, without their keys.
+pub(super) fn of_configuration(model: &Model, sheet: &Sheet) -> Vec<String> {
+    let mut text = wrap(CHOSEN);
+    text.extend(lines(model, sheet));
+    text
+}
+
 /// The lines, without their keys.
 pub(super) fn lines(model: &Model, sheet: &Sheet) -> Vec<String> {
     let mut text = vec![HEAD.to_owned()];

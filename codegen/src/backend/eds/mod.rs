@@ -8,7 +8,7 @@
 //! What the manual states stands: `1600:00` counts what is mapped by default, not the mapping's sub-indexes. Only
 //! zencan-eds demands the highest sub-index there, too, and refuses such a file.
 //!
-//! It writes no DCF: a configuration is a choice of the user, not a fact about the drive.
+//! A DCF is the same sheet with what a user has chosen: see [`Commissioning`] and [`crate::dcf`].
 
 mod assumed;
 mod comments;
@@ -20,10 +20,12 @@ mod write;
 
 pub use loss::{LIMITS, PLACE, SHAPE, TEXT, VALUE};
 
+use std::collections::BTreeMap;
+
 use super::Backend;
 use crate::diag::{Code, Diagnostic, Sink};
 use crate::emit::FileSet;
-use crate::model::Model;
+use crate::model::{Address, Model};
 use crate::source::Span;
 
 /// The CANopen electronic data sheet (CiA 306).
@@ -42,7 +44,7 @@ impl Backend for Eds {
         let sheet = lower::lower(model);
         let comments = comments::lines(model, &sheet);
         sheet.losses.report(sink);
-        if let Err(error) = out.add(path(model), write::sheet(model, &sheet, &comments)) {
+        if let Err(error) = out.add(path(model), write::sheet(model, &sheet, &comments, None)) {
             sink.push(
                 Diagnostic::new(PLACE, Span::nowhere(), error.to_string())
                     .why("the file is named after the package")
@@ -50,6 +52,31 @@ impl Backend for Eds {
             );
         }
     }
+}
+
+/// What makes a sheet a device configuration file: the choices of a user, which are no facts about the drive.
+pub(crate) struct Commissioning<'a> {
+    /// Name of the file.
+    pub(crate) file: &'a str,
+    /// Node-ID.
+    pub(crate) node_id: u8,
+    /// Name of the node.
+    pub(crate) name: &'a str,
+    /// Bit rate in kbit/s.
+    pub(crate) bit_rate: Option<u16>,
+    /// Number of the network.
+    pub(crate) network: Option<u32>,
+    /// Serial number of the drive.
+    pub(crate) serial: Option<u32>,
+    /// What the objects hold.
+    pub(crate) values: BTreeMap<Address, i128>,
+}
+
+/// The text of a device configuration file (CiA 306).
+pub(crate) fn configured(model: &Model, commissioning: &Commissioning<'_>) -> String {
+    let sheet = lower::lower(model);
+    let comments = comments::of_configuration(model, &sheet);
+    write::sheet(model, &sheet, &comments, Some(commissioning))
 }
 
 /// What the sheet of a drive assumes, in sentences.

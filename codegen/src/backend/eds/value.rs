@@ -61,7 +61,7 @@ pub(super) fn default(
         None => otherwise?,
         Some(Value::Int(n)) if entry.ty.value.range().is_some() => *n,
         Some(Value::Text(text)) if entry.ty.value.is_integer() => {
-            let formula = node_id_formula(text).filter(|n| least <= *n && *n + 127 <= most);
+            let formula = Value::node_id_formula(text).filter(|n| least <= *n && *n + 127 <= most);
             if formula.is_none() {
                 lose(Loss::DefaultOutsideType);
             }
@@ -87,22 +87,6 @@ fn is_text(ty: Type) -> bool {
     matches!(ty, Type::VisibleString | Type::OctetString | Type::UnicodeString | Type::Domain)
 }
 
-/// The number that `$NODEID+number` or `number+$NODEID` adds to the node-ID.
-fn node_id_formula(text: &str) -> Option<i128> {
-    let parts: Vec<&str> = text.split('+').map(str::trim).collect();
-    let is_node_id = |part: &&str| part.eq_ignore_ascii_case("$NODEID");
-    match parts.as_slice() {
-        [id] if is_node_id(id) => Some(0),
-        [id, n] | [n, id] if is_node_id(id) && !is_node_id(n) => whole(n),
-        _ => None,
-    }
-}
-
-fn whole(text: &str) -> Option<i128> {
-    let (digits, radix) = text.strip_prefix("0x").map_or((text, 10), |hex| (hex, 16));
-    u64::from_str_radix(digits, radix).ok().filter(|_| !digits.starts_with('+')).map(i128::from)
-}
-
 /// How a default is printed: signed numbers in decimal, since readers take two's complement for a large number.
 pub(super) fn print(default: Default, hex: bool) -> String {
     match default {
@@ -119,7 +103,7 @@ mod tests {
 
     #[test]
     fn node_id_comes_first() {
-        let printed = |text| node_id_formula(text).map(|n| print(Default::NodeId(n), false));
+        let printed = |text| Value::node_id_formula(text).map(|n| print(Default::NodeId(n), false));
         for text in ["$NODEID+0x200", "0x200+$NODEID", "$NodeId + 512"] {
             assert_eq!(printed(text).as_deref(), Some("$NODEID+0x200"), "{text}");
         }

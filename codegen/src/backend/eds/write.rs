@@ -2,8 +2,9 @@
 
 use std::fmt::Display;
 
+use super::Commissioning;
 use super::lower::{Keys, List, Section, Sheet, drive_text};
-use super::value;
+use super::value::{self, Default};
 use crate::emit::escape;
 use crate::model::{Access, Address, Model, ObjectKind, Type};
 
@@ -28,11 +29,17 @@ impl Ini {
     }
 }
 
-/// The text of the file.
-pub(super) fn sheet(model: &Model, sheet: &Sheet, comments: &[String]) -> String {
+/// The text of the file; with a commissioning that of a device configuration file.
+pub(super) fn sheet(
+    model: &Model,
+    sheet: &Sheet,
+    comments: &[String],
+    commissioning: Option<&Commissioning<'_>>,
+) -> String {
     let mut ini = Ini::default();
-    file_info(model, &mut ini);
+    file_info(model, commissioning, &mut ini);
     device_info(model, sheet, &mut ini);
+    commissioning.iter().for_each(|commissioning| device_commissioning(commissioning, &mut ini));
     ini.section("DummyUsage");
     for dummy in 1..=7 {
         ini.key(format_args!("Dummy{dummy:04}"), 0);
@@ -50,17 +57,18 @@ pub(super) fn sheet(model: &Model, sheet: &Sheet, comments: &[String]) -> String
             ini.key(format_args!("{n}"), format_args!("0x{:04X}", object.index));
         }
         for object in members {
-            section(object, &mut ini);
+            section(object, commissioning, &mut ini);
         }
     }
     ini.0
 }
 
-fn file_info(model: &Model, ini: &mut Ini) {
+fn file_info(model: &Model, commissioning: Option<&Commissioning<'_>>, ini: &mut Ini) {
     let drive = &model.drive;
     let about = format!("Generated from the manual of {} {}, not by its maker", drive.vendor, drive.name);
     ini.section("FileInfo");
-    ini.key("FileName", format_args!("{}.eds", drive.package));
+    let sheet = format!("{}.eds", drive.package);
+    ini.key("FileName", commissioning.map_or(sheet.as_str(), |c| c.file));
     ini.key("FileVersion", drive.eds_version);
     ini.key("FileRevision", drive.eds_revision);
     ini.key("EDSVersion", "4.0");
@@ -72,6 +80,9 @@ fn file_info(model: &Model, ini: &mut Ini) {
         ini.key(time, "12:00AM");
         ini.key(date, american(&drive.date));
         ini.key(by, "drivewright");
+    }
+    if commissioning.is_some() {
+        ini.key("LastEDS", sheet);
     }
 }
 
@@ -105,6 +116,22 @@ fn device_info(model: &Model, sheet: &Sheet, ini: &mut Ini) {
     ini.keys(&["LSS_Supported"], 0);
 }
 
+/// The section has one `m` in CiA 306.
+fn device_commissioning(commissioning: &Commissioning<'_>, ini: &mut Ini) {
+    ini.section("DeviceComissioning");
+    ini.key("NodeID", commissioning.node_id);
+    ini.key("NodeName", commissioning.name);
+    if let Some(rate) = commissioning.bit_rate {
+        ini.key("Baudrate", rate);
+    }
+    ini.key("NetNumber", commissioning.network.unwrap_or(0));
+    ini.key("NetworkName", "");
+    ini.key("CANopenManager", 0);
+    if let Some(serial) = commissioning.serial {
+        ini.key("LSS_SerialNumber", format_args!("0x{serial:X}"));
+    }
+}
+
 /// Vendor, product and revision as the identity object states them: the one source of the drive's identity.
 pub(super) fn identity(model: &Model) -> [Option<u32>; 3] {
     [1, 2, 3].map(|sub| u32::try_from(model.default_int(Address::new(0x1018, sub))?).ok())
@@ -117,13 +144,13 @@ pub(super) fn granularity(sheet: &Sheet) -> u8 {
     if writable { 8 } else { 0 }
 }
 
-fn section(object: &Section, ini: &mut Ini) {
+fn section(object: &Section, commissioning: Option<&Commissioning<'_>>, ini: &mut Ini) {
     let name = format!("{:04X}", object.index);
     let code = match object.kind {
         ObjectKind::Var => {
             for entry in &object.entries {
                 ini.section(&name);
-                keys(object, entry, ini);
+                keys(object, entry, commissioning, ini);
             }
             return;
         }
@@ -136,11 +163,11 @@ fn section(object: &Section, ini: &mut Ini) {
     ini.key("SubNumber", object.entries.len());
     for entry in &object.entries {
         ini.section(&format!("{name}sub{:X}", entry.sub));
-        keys(object, entry, ini);
+        keys(object, entry, commissioning, ini);
     }
 }
 
-fn keys(object: &Section, entry: &Keys, ini: &mut Ini) {
+fn keys(object: &Section, entry: &Keys, commissioning: Option<&Commissioning<'_>>, ini: &mut Ini) {
     let member = object.kind != ObjectKind::Var;
     ini.key("ParameterName", if member { &entry.name } else { &object.name });
     ini.key("ObjectType", if entry.ty == Type::Domain { "0x2" } else { "0x7" });
@@ -154,6 +181,10 @@ fn keys(object: &Section, entry: &Keys, ini: &mut Ini) {
     // zencan-eds takes the count of a record for hexadecimal, so it must look like that.
     let hex = (member && entry.sub == 0) || is_code(object.index, entry.ty);
     ini.key("DefaultValue", entry.default.map_or_else(String::new, |d| value::print(d, hex)));
+    let chosen = commissioning.and_then(|c| c.values.get(&Address::new(object.index, entry.sub)));
+    if let Some(value) = chosen {
+        ini.key("ParameterValue", value::print(Default::Int(*value), hex));
+    }
     if let Some(mapped) = entry.mapped {
         ini.key("PDOMapping", u8::from(mapped));
     }

@@ -3,4 +3,4 @@
 pub(super) mod mapping_words_agree;
 pub(super) mod writes_accepted;
 
-use super::{finding, fits, settled, unsettled};
+use super::{finding, settled};

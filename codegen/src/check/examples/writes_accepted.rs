@@ -44,16 +44,8 @@ fn refusal(entry: &Entry, example: &Example) -> Option<(Span, String)> {
     values.into_iter().flatten().filter(|v| !super::settled(v)).find_map(|value| refused(entry, value.value))
 }
 
-/// The fact of an entry that refuses a value, and why.
+/// The fact of an entry that refuses a value, and why. One that an erratum set or explained is known to differ.
 fn refused(entry: &Entry, value: i128) -> Option<(Span, String)> {
-    if super::fits(entry.ty.value, value) == Some(false) {
-        return Some((entry.ty.span(), format!("whose type {} has no {value}", entry.ty.value)));
-    }
-    let min = super::unsettled(entry.min.as_ref()).filter(|min| value < min.value);
-    let max = super::unsettled(entry.max.as_ref()).filter(|max| value > max.value);
-    if let Some(limit) = min.or(max) {
-        return Some((limit.span(), format!("whose limit {} excludes {value}", limit.value)));
-    }
-    let allow = super::unsettled(entry.allow.as_ref()).filter(|allow| !allow.value.contains(&value))?;
-    Some((allow.span(), format!("which does not allow {value}")))
+    let mut refusals = entry.refusals(value).filter(|(origin, _)| origin.erratum.is_none());
+    refusals.next().map(|(origin, why)| (origin.span, why))
 }

@@ -2,7 +2,7 @@
 
 use crate::check::Lint;
 use crate::diag::{Code, Sink};
-use crate::model::{Direction, Model};
+use crate::model::Model;
 
 const CODE: Code = Code::error("E0605", "a PDO writes what is read only, or sends what cannot be read");
 const WHY: &str = "process data obeys the same access as SDO: a status word cannot be commanded";
@@ -16,8 +16,7 @@ pub(in crate::check) const LINT: Lint =
 fn run(model: &Model, sink: &mut Sink) {
     for (pdo, mapped, entry) in super::mapped(model) {
         let access = entry.access.value;
-        let ok = if pdo.direction == Direction::Rx { access.writes() } else { access.reads() };
-        if !ok {
+        if !access.carries(pdo.direction) {
             let text = format!(
                 "`{}` carries {}, whose access is {}",
                 super::mapped_row(pdo, mapped),

@@ -2,7 +2,7 @@
 
 use crate::check::Lint;
 use crate::diag::{Code, Sink};
-use crate::model::{Direction, Mapping, Model};
+use crate::model::{Mapping, Model};
 
 const CODE: Code = Code::error("E0601", "a PDO carries an entry that cannot be mapped in its direction");
 const WHY: &str =
@@ -15,7 +15,7 @@ pub(in crate::check) const LINT: Lint = Lint { code: CODE, page: include_str!("p
 fn run(model: &Model, sink: &mut Sink) {
     for (pdo, mapped, entry) in super::mapped(model) {
         let allowed = entry.mapping.as_ref().map(|m| m.value);
-        let ok = allowed.is_some_and(|m| if pdo.direction == Direction::Rx { m.rx } else { m.tx });
+        let ok = allowed.is_some_and(|m| m.has(pdo.direction));
         if !ok {
             let (address, word) = (entry.address, allowed.map_or("not stated", Mapping::word));
             let text =

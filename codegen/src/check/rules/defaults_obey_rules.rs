@@ -1,10 +1,8 @@
 //! E1801: the defaults of a drive break a rule of its manual.
 
-use std::collections::BTreeSet;
-
 use crate::check::Lint;
 use crate::diag::{Code, Sink};
-use crate::model::{Address, Expr, Fact, Model, Rule};
+use crate::model::{Address, Model, Rule};
 
 const CODE: Code = Code::error("E1801", "the defaults of a drive break a rule of its manual");
 const WHY: &str = "a drive as delivered obeys its own manual: the rule or a default is read wrongly";
@@ -17,7 +15,8 @@ pub(in crate::check) const LINT: Lint =
 fn run(model: &Model, sink: &mut Sink) {
     for rule in model.rules.iter().filter(|rule| rule.on.is_none() && broken(model, rule)) {
         let Some(require) = &rule.require else { continue };
-        let values: Vec<String> = objects(rule)
+        let values: Vec<String> = rule
+            .objects()
             .into_iter()
             .filter_map(|object| Some(format!("{object} = {}", model.default_int(object)?)))
             .collect();
@@ -26,20 +25,13 @@ fn run(model: &Model, sink: &mut Sink) {
     }
 }
 
-/// Whether a rule holds for the defaults and is not obeyed; never where one of them is unknown, or settled by an erratum.
+/// Whether the defaults break a rule; never where one of them is settled by an erratum.
 fn broken(model: &Model, rule: &Rule) -> bool {
-    let value = |expr: &Fact<Expr>| expr.value.value(|object| model.default_int(object));
-    let holds = rule.when.as_ref().map_or(Some(1), value).is_some_and(|when| when != 0);
     let known = |object: &Address| {
         let default = model.entry(*object).and_then(|(_, entry)| entry.default.as_ref());
         !default.is_some_and(super::settled)
     };
     let unsettled =
-        !rule.require.iter().chain(&rule.when).any(super::settled) && objects(rule).iter().all(known);
-    holds && unsettled && rule.require.as_ref().and_then(value) == Some(0)
-}
-
-/// The objects that a rule names.
-fn objects(rule: &Rule) -> BTreeSet<Address> {
-    rule.require.iter().chain(&rule.when).flat_map(|expr| expr.value.objects()).collect()
+        !rule.require.iter().chain(&rule.when).any(super::settled) && rule.objects().iter().all(known);
+    unsettled && rule.broken(|object| model.default_int(object))
 }

@@ -1,6 +1,7 @@
 //! Every table and every key, once.
 
 mod behaviour;
+mod configuration;
 mod dictionary;
 mod drive;
 mod reading;
@@ -14,35 +15,49 @@ use crate::diag::Sink;
 use crate::raw::RawTable;
 
 pub use behaviour::*;
+pub use configuration::*;
 pub use dictionary::*;
 pub use drive::*;
 pub use reading::*;
 
 tables! {
-    drive: DriveRow,
-    manuals: ManualRow,
-    objects: ObjectRow,
-    enums: EnumRow,
-    bits: BitRow,
-    alarms: AlarmRow,
-    pdo: PdoRow,
-    homing: HomingRow,
-    modes: ModeRow,
-    states: StateRow,
-    commands: CommandRow,
-    aborts: AbortRow,
-    io: TerminalRow,
-    sync_managers: SyncManagerRow,
-    fmmus: FmmuRow,
-    emcy: EmcyRow,
-    rules: RuleRow,
-    examples: ExampleRow,
-    errata: ErratumRow,
-    columns: ColumnRow,
-    printed: PrintedRow,
-    shifted: ShiftedRow,
-    unproved: UnprovedRow,
-    uncited: UncitedRow,
-    audited: AuditedRow,
-    allow: AllowRow,
+    /// All rows of a profile or base.
+    Rows {
+        drive: DriveRow,
+        manuals: ManualRow,
+        objects: ObjectRow,
+        enums: EnumRow,
+        bits: BitRow,
+        alarms: AlarmRow,
+        pdo: PdoRow,
+        homing: HomingRow,
+        modes: ModeRow,
+        states: StateRow,
+        commands: CommandRow,
+        aborts: AbortRow,
+        io: TerminalRow,
+        sync_managers: SyncManagerRow,
+        fmmus: FmmuRow,
+        emcy: EmcyRow,
+        rules: RuleRow,
+        examples: ExampleRow,
+        errata: ErratumRow,
+        columns: ColumnRow,
+        printed: PrintedRow,
+        shifted: ShiftedRow,
+        unproved: UnprovedRow,
+        uncited: UncitedRow,
+        audited: AuditedRow,
+        allow: AllowRow,
+    }
+}
+
+tables! {
+    /// All rows of a configuration.
+    ConfigurationRows {
+        axis: AxisRow,
+        values: SettingRow,
+        pdo: MappedRow,
+        communication: CommunicationRow,
+    }
 }
