@@ -60,7 +60,11 @@ fn deliver(asked: &DcfArguments, model: &Model, configuration: &Configuration, q
         let places: Vec<String> = files.iter().map(|(place, _)| place.display().to_string()).collect();
         let done = if asked.check { "as written" } else { "written" };
         let writes = counted(configuration.writes.len(), "write");
-        return print(&format!("{}: {done}, {writes} for node {}\n", places.join(", "), configuration.node_id));
+        return print(&format!(
+            "{}: {done}, {writes} for node {}\n",
+            places.join(", "),
+            configuration.node_id
+        ));
     }
     end
 }

@@ -87,8 +87,12 @@ fn pages_have_their_parts() {
 
 #[test]
 fn every_other_code_has_a_page_too() {
-    let others: Vec<Code> =
-        code::ALL.iter().chain(backend::ALL.iter().flat_map(|b| b.codes())).chain(configuration::code::ALL).copied().collect();
+    let others: Vec<Code> = code::ALL
+        .iter()
+        .chain(backend::ALL.iter().flat_map(|b| b.codes()))
+        .chain(configuration::code::ALL)
+        .copied()
+        .collect();
     let ids: Vec<&str> = others.iter().map(|code| code.id()).collect();
     assert_eq!(
         page::ids().collect::<Vec<_>>(),

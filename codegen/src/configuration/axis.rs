@@ -4,8 +4,8 @@ use super::{Configuration, code, profile_code};
 use crate::diag::{Diagnostic, Sink};
 use crate::emit::escape;
 use crate::model::Model;
-use crate::rows::tables::AxisRow;
 use crate::rows::ConfigurationRows;
+use crate::rows::tables::AxisRow;
 use crate::source::{FileId, Sp, Span};
 
 /// Bit rates of CiA 301, in kbit/s.

@@ -163,6 +163,13 @@ impl Entry {
             Value::Text(_) => None,
         }
     }
+
+    /// What the default adds to the node-ID, where it is such a formula and gives every node a value of the type.
+    pub fn default_beside_node_id(&self) -> Option<i128> {
+        let Value::Text(text) = &self.default.as_ref()?.value else { return None };
+        let (least, most) = self.ty.value.range().filter(|_| self.ty.value.is_integer())?;
+        Value::node_id_formula(text).filter(|n| least <= *n && *n + 127 <= most)
+    }
 }
 
 /// A process data object with its default mapping.

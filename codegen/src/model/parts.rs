@@ -108,7 +108,7 @@ pub enum Value {
 
 impl Value {
     /// The number that the text `$NODEID+number` or `number+$NODEID` adds to the node-ID.
-    pub(crate) fn node_id_formula(text: &str) -> Option<i128> {
+    pub fn node_id_formula(text: &str) -> Option<i128> {
         let parts: Vec<&str> = text.split('+').map(str::trim).collect();
         let is_node_id = |part: &&str| part.eq_ignore_ascii_case("$NODEID");
         match parts.as_slice() {

@@ -60,8 +60,8 @@ pub(super) fn default(
     let number = match entry.default.as_ref().map(|f| &f.value) {
         None => otherwise?,
         Some(Value::Int(n)) if entry.ty.value.range().is_some() => *n,
-        Some(Value::Text(text)) if entry.ty.value.is_integer() => {
-            let formula = Value::node_id_formula(text).filter(|n| least <= *n && *n + 127 <= most);
+        Some(Value::Text(_)) if entry.ty.value.is_integer() => {
+            let formula = entry.default_beside_node_id();
             if formula.is_none() {
                 lose(Loss::DefaultOutsideType);
             }

@@ -164,7 +164,7 @@ shapes! {
         allow "allow": optional Known<'m, Vec<Integer>>,
         /// Raw value after the first power-on, of an object that is a number.
         default "default": optional Known<'m, Integer>,
-        /// The same, of an object that is a text.
+        /// The same, of an object that is a text, and `$NODEID+0x200` where a number depends on the node.
         default_text "default_text": optional Known<'m, &'m str>,
         /// Name of the value table that names its values.
         values "values": optional Known<'m, &'m str>,

@@ -4,7 +4,7 @@ use super::{CobId, Pdo};
 use crate::configuration::code;
 use crate::configuration::setting::{Setting, object, taken};
 use crate::diag::{Diagnostic, Sink};
-use crate::model::{Address, Direction, Entry, Model, Value};
+use crate::model::{Address, Direction, Entry, Model};
 use crate::rows::tables::CommunicationRow;
 use crate::source::Sp;
 
@@ -88,10 +88,8 @@ fn cob_id(
 
 /// The default of a COB-ID for this node.
 fn default(entry: &Entry, node_id: u8) -> Option<i128> {
-    match &entry.default.as_ref()?.value {
-        Value::Int(n) => Some(*n),
-        Value::Text(text) => Some(Value::node_id_formula(text)? + i128::from(node_id)),
-    }
+    let formula = entry.default_beside_node_id().map(|n| n + i128::from(node_id));
+    formula.or(entry.default_int().map(|default| default.value))
 }
 
 /// The identifiers of CiA 301 for the first four PDOs of a direction.
