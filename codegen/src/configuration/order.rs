@@ -63,7 +63,9 @@ fn add_pdo(pdo: &Pdo, writes: &mut Vec<Write>) {
         writes.extend(mapping.words.iter().map(write));
         writes.push(count);
     }
-    writes.extend(pdo.cob_id.iter().map(|id| write(&id.end)));
+    // One that stays off is written once.
+    let on = pdo.cob_id.iter().filter(|id| id.end.value != id.off.value);
+    writes.extend(on.map(|id| write(&id.end)));
 }
 
 /// The settings in an order that breaks no rule on its way, as far as there is one.
