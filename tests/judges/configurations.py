@@ -25,7 +25,7 @@ try:
 except ImportError:  # Python before 3.11
     tomllib = None
 
-DCFGEN = [sys.executable, "-W", "default", "-W", "ignore:pkg_resources", "-m", "dcfgen.cli"]
+DCFGEN = [sys.executable, "-m", "dcfgen.cli"]
 OFF, NO_RTR = 1 << 31, 1 << 30
 # dcfgen 2.4.2 writes four bytes for the three of these and says three, which nobody can read.
 UNWRITTEN = {0x10, 0x16}
@@ -42,9 +42,9 @@ READ = [
     ("value", r"^(ParameterValue=0x\w*)(\d)$", controls.other_digit),
     ("key of a value", r"^ParameterValue=", "ParameterValux="),
     ("node", r"^(NodeID=\d*)(\d)$", controls.other_digit),
-    ("sub-index", r"^(\[1[6A]00sub)1\]$", r"\g<1>9]"),
-    ("index", r"^\[6081\]$", "[6080]"),
-    ("type", r"^\[6081\]([^\[]*DataType=0x000)7", r"[6081]\g<1>9"),
+    ("sub-index", r"^(\[\w{4}sub)1(?=\][^\[]*^ParameterValue)", r"\g<1>9"),
+    ("index", r"^(\[\w{3})\w(?=(sub\w+)?\][^\[]*^ParameterValue)", r"\g<1>F"),
+    ("type", r"^(DataType=0x000)\d(?=[^\[]*^ParameterValue)", r"\g<1>9"),
 ]
 
 
@@ -150,11 +150,13 @@ def slave_of(configuration, eds, model):
         for ours, theirs in [("transmission", "transmission"), ("inhibit", "inhibit_time"), ("event", "event_timer")]:
             if ours in row:
                 pdo[theirs] = row[ours]
-        if "cob_id" in row:
-            # What is not asked for stays, and bit 30 of a TxPDO is not.
-            default = dictionary[row["map"] - 0x200][1].default or 0
+        default = dictionary[row["map"] - 0x200][1].default or 0
+        if row.get("off"):
+            # Without the bit, dcfgen would not switch it on and yet map it in the master.
+            pdo["cob_id"] = default | OFF
+        elif "cob_id" in row:
+            # What a user does not set stays: for a TxPDO bit 30.
             pdo["cob_id"] = row["cob_id"] | (default & NO_RTR if row["map"] >= 0x1A00 else 0)
-        pdo["enabled"] = not row.get("off", False)
     for row in configuration.get("pdo", []):
         index, sub = (int(part, 16) for part in row["entry"].split(":"))
         pdo = pdos.setdefault(row["map"], {})
