@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use drivewright_codegen::check::{LINTS, Lint};
 use drivewright_codegen::diag::{Code, Diagnostic, Severity, code, page};
 use drivewright_codegen::source::Source;
-use drivewright_codegen::{Compiled, backend, compile};
+use drivewright_codegen::{Compiled, backend, compile, configuration};
 
 /// What a page leaves out: the keys that every drive has.
 const DRIVE: &str = r#"

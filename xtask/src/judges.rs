@@ -43,6 +43,10 @@ pub fn run(root: &Path, options: &Options, step: &mut dyn FnMut(&str, &mut dyn F
         Ok(python) => ask(python, &judges.join("golden.py"), root, false, quiet),
         Err(why) => Outcome::Skipped(why.clone()),
     });
+    step("configurations", &mut || match &python {
+        Ok(python) => ask(python, &judges.join("configurations.py"), root, false, quiet),
+        Err(why) => Outcome::Skipped(why.clone()),
+    });
     let files = data_sheets(root);
     if files.is_empty() {
         step("judges of EDS", &mut || Outcome::Skipped("there is no EDS below generated/".to_owned()));

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::code;
 use crate::diag::{Diagnostic, Sink};
+use crate::limits;
 use crate::model::{Address, Entry, Model, Value};
-use crate::rows::suggest;
 use crate::rows::tables::SettingRow;
 use crate::source::{Sp, Span};
 
@@ -69,9 +69,9 @@ pub(super) fn object<'m>(at: Sp<Address>, model: &'m Model, sink: &mut Sink) -> 
         let help = model.object(index).map_or_else(
             || format!("correct the address; `{index:04X}` is no index of the drive"),
             |object| {
-                let subs = object.entries.iter().map(|id| model.entries[*id].address.to_string());
-                let subs: Vec<String> = subs.collect();
-                suggest(&at.value.to_string(), &subs.iter().map(String::as_str).collect::<Vec<_>>())
+                let subs = object.entries.iter().map(|id| format!("{:02X}", model.entries[*id].address.sub));
+                let subs: Vec<String> = subs.take(limits::SUGGESTIONS).collect();
+                format!("correct the address; `{index:04X}` has the sub-indexes {}", subs.join(", "))
             },
         );
         sink.push(

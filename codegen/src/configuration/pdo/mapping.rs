@@ -72,7 +72,7 @@ fn carried<'m>(
 ) -> Option<(&'m Entry, u8)> {
     let entry = object(at, model, sink)?;
     let mapping = entry.mapping.as_ref();
-    let word = direction.word();
+    let pdo = if direction == Direction::Rx { "an RxPDO" } else { "a TxPDO" };
     let (fact, text) = if !mapping.is_some_and(|m| m.value.has(direction)) {
         let says = mapping.map_or("not stated", |m| m.value.word());
         (mapping.map_or(entry.name.span(), |m| m.span()), format!("whose mapping is {says}"))
@@ -83,7 +83,7 @@ fn carried<'m>(
     } else {
         (entry.ty.span(), format!("whose type {} has no fixed width", entry.ty.value))
     };
-    let text = format!("a PDO {word} cannot carry {} ({}), {text}", entry.address, entry.name.value);
+    let text = format!("{pdo} cannot carry {} ({}), {text}", entry.address, entry.name.value);
     sink.push(
         Diagnostic::new(code::NOT_MAPPABLE, at.span, text)
             .related(fact, "the object")
