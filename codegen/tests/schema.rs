@@ -3,12 +3,14 @@
 #![allow(clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use drivewright_codegen::backend::json::model_schema;
-use drivewright_codegen::schema::profile_schema;
+use drivewright_codegen::schema::{configuration_schema, profile_schema};
 use serde_json::Value;
 
 #[test]
 fn schemas_are_fresh() {
     assert!(model_schema() == include_str!("../schema/model.schema.json"), "run `cargo xtask regen`");
+    let configuration = include_str!("../schema/configuration.schema.json");
+    assert!(configuration_schema() == configuration, "run `cargo xtask regen`");
     assert!(profile_schema() == include_str!("../schema/profile.schema.json"), "run `cargo xtask regen`");
 }
 
