@@ -28,13 +28,11 @@ pub(crate) fn run(asked: &DcfArguments, quiet: bool) -> End {
     let Some(model) = found.compiled.sound().cloned() else { return End::Findings };
     let (read, findings) = configuration::read(source, &model, &mut found.compiled.sources);
     let shown = show(&findings, &found.compiled.sources, &of, asked.format);
-    match read {
-        Some(configuration) => shown.max(deliver(asked, &model, &configuration, quiet)),
-        None => {
-            eprintln!("nothing was written");
-            shown
-        }
-    }
+    let Some(configuration) = read else {
+        eprintln!("nothing was written");
+        return shown;
+    };
+    shown.max(deliver(asked, &model, &configuration, quiet))
 }
 
 fn show(found: &[Diagnostic], sources: &SourceMap, of: &str, format: Format) -> End {

@@ -30,7 +30,9 @@ pub fn concise(configuration: &Configuration) -> Vec<u8> {
     let writes = &configuration.writes;
     // A drive has far less entries than 32 bits count.
     let mut out = u32::try_from(writes.len()).unwrap_or(u32::MAX).to_le_bytes().to_vec();
-    writes.iter().for_each(|write| add(write, &mut out));
+    for write in writes {
+        add(write, &mut out);
+    }
     out
 }
 

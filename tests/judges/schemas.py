@@ -70,6 +70,16 @@ OF_MODELS = [
     ("dropped value", lambda m: m["errata"][0].update(unset="true")),
 ]
 
+# Of a configuration that has every table.
+OF_CONFIGURATIONS = [
+    ("key that is missing", lambda c: c["axis"].pop("node_id")),
+    ("key that nobody knows", lambda c: c["values"][0].update(unit="rpm")),
+    ("address", lambda c: c["values"][0].update(at="6081")),
+    ("number", lambda c: c["pdo"][0].update(map=65536)),
+    ("text for true or false", lambda c: c["communication"][0].update(off="true")),
+    ("table", lambda c: c.update(value=[])),
+]
+
 
 def findings(schema, value):
     """What is wrong with a value, with the place."""
@@ -95,7 +105,7 @@ def judge(name, schema, value, changes):
 
 def main(root):
     schemas = {}
-    for kind in ("profile", "model"):
+    for kind in ("profile", "configuration", "model"):
         schemas[kind] = json.loads(Path(root, f"codegen/schema/{kind}.schema.json").read_text("utf-8"))
         jsonschema.Draft7Validator.check_schema(schemas[kind])
     good = []
@@ -104,6 +114,10 @@ def main(root):
         for file in sorted(drive.parent.glob("*.toml")):
             tables.update(tomllib.loads(file.read_text("utf-8")))
         good.append(judge(drive.parent.name, schemas["profile"], tables, OF_PROFILES))
+    for file in sorted(Path(root, "tests/configurations/good").glob("*.toml")):
+        tables = tomllib.loads(file.read_text("utf-8"))
+        changes = OF_CONFIGURATIONS if len(tables) == 4 else []
+        good.append(judge(f"configuration {file.stem}", schemas["configuration"], tables, changes))
     for model in sorted(Path(root, "generated").glob("*/model.json")):
         good.append(judge(f"{model.parent.name}/model.json", schemas["model"], json.loads(model.read_text("utf-8")), OF_MODELS))
     for model in sorted(Path(root, "tests/golden").glob("*/out/model.snap.json")):

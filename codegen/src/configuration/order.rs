@@ -32,7 +32,9 @@ pub(super) fn writes(model: &Model, settings: &Settings, pdos: &[Pdo]) -> Vec<Wr
         }
         let count = count(model, Address::new(assignment, 0), &assign);
         writes.extend(count.map(|count| Write { value: 0, ..count }));
-        own.iter().for_each(|pdo| add_pdo(pdo, &mut writes));
+        for pdo in own {
+            add_pdo(pdo, &mut writes);
+        }
         writes.extend(assign.iter().filter(|s| s.address.sub > 0).map(|s| write(s)));
         writes.extend(count);
     }

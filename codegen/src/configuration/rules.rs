@@ -5,7 +5,7 @@ use super::pdo::Pdo;
 use super::setting::{Setting, Settings};
 use super::{Configuration, order};
 use crate::diag::{Diagnostic, Sink};
-use crate::model::{Model, Occasion, Rule};
+use crate::model::{Fact, Model, Occasion, Rule};
 
 /// Reports the rules that name an object of the configuration and are broken in the end: those that hold always, and
 /// where process data changes those of that occasion.
@@ -35,7 +35,7 @@ pub(super) fn check(
 
 fn broken(rule: &Rule, setting: &Setting, values: &str) -> Diagnostic {
     let text = format!("`rule {}` does not hold with {values}", rule.id);
-    let require = rule.require.as_ref().map_or(rule.text.span(), |require| require.span());
+    let require = rule.require.as_ref().map_or(rule.text.span(), Fact::span);
     Diagnostic::new(code::RULE_BROKEN, setting.span, text)
         .related(require, "the rule")
         .why(format!("the manual: {}", rule.text.value))

@@ -39,7 +39,9 @@ pub(super) fn sheet(
     let mut ini = Ini::default();
     file_info(model, commissioning, &mut ini);
     device_info(model, sheet, &mut ini);
-    commissioning.iter().for_each(|commissioning| device_commissioning(commissioning, &mut ini));
+    if let Some(commissioning) = commissioning {
+        device_commissioning(commissioning, &mut ini);
+    }
     ini.section("DummyUsage");
     for dummy in 1..=7 {
         ini.key(format_args!("Dummy{dummy:04}"), 0);

@@ -10,7 +10,7 @@ use crate::source::Sp;
 
 /// Bit 31 of a COB-ID: the PDO is off.
 const OFF: i128 = 1 << 31;
-/// Bit 30 of a COB-ID of a TxPDO: nobody may ask for it by a remote frame.
+/// Bit 30 of a COB-ID of a `TxPDO`: nobody may ask for it by a remote frame.
 const NO_RTR: i128 = 1 << 30;
 /// Bits of an identifier of a base frame.
 const BASE: i128 = 0x7FF;

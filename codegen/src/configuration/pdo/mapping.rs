@@ -5,7 +5,7 @@ use crate::configuration::code;
 use crate::configuration::setting::{Setting, object, taken};
 use crate::diag::{Diagnostic, Sink};
 use crate::limits;
-use crate::model::{Address, Direction, Entry, Model};
+use crate::model::{Address, Direction, Entry, Fact, Model};
 use crate::rows::tables::MappedRow;
 use crate::source::{Sp, Span};
 
@@ -75,7 +75,7 @@ fn carried<'m>(
     let pdo = if direction == Direction::Rx { "an RxPDO" } else { "a TxPDO" };
     let (fact, text) = if !mapping.is_some_and(|m| m.value.has(direction)) {
         let says = mapping.map_or("not stated", |m| m.value.word());
-        (mapping.map_or(entry.name.span(), |m| m.span()), format!("whose mapping is {says}"))
+        (mapping.map_or(entry.name.span(), Fact::span), format!("whose mapping is {says}"))
     } else if !entry.access.value.carries(direction) {
         (entry.access.span(), format!("whose access is {}", entry.access.value.word()))
     } else if let Some(bits) = entry.ty.value.bits() {
