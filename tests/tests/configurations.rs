@@ -162,3 +162,35 @@ fn the_order_is_that_of_the_standard() {
     // 150.0 rpm at 0.1 rpm a count.
     assert!(shown.contains(&at("6081:00", 1_500)));
 }
+
+/// What is cut off or changed anywhere gives findings or another configuration, and never a panic.
+#[test]
+fn nothing_panics_on_broken_texts() {
+    let drives = drives();
+    let good = toml_files(&folder("good")).into_iter().find(|source| source.path == "axis.toml");
+    let text = good.expect("the configuration").text;
+    let places = (0..text.len()).step_by(7).filter(|at| text.is_char_boundary(*at));
+    for at in places {
+        for broken in [
+            text[..at].to_owned(),
+            format!("{}9{}", &text[..at], &text[at..]),
+            format!("{}\"{}", &text[..at], &text[at..]),
+        ] {
+            let Read { configuration, findings, .. } =
+                read(&drives, Source { path: "axis.toml".into(), text: broken.clone() });
+            let errors = findings.iter().any(|d| d.severity() == Severity::Error);
+            assert_eq!(configuration.is_none(), errors, "{broken}");
+        }
+    }
+}
+
+/// A name of a file is one line, whatever it holds.
+#[test]
+fn the_name_of_a_file_opens_no_section() {
+    let good = toml_files(&folder("good")).remove(0);
+    let read = read(&drives(), good);
+    let text =
+        dcf::file(&read.model, &read.configuration.expect("it is right"), "a\r\n[6040]\r\nx=1\u{202E}");
+    assert_eq!(text.lines().nth(1), Some("FileName=a [6040] x=1"));
+    assert!(text.is_ascii() && text.lines().all(|line| line.len() <= 255));
+}
