@@ -16,17 +16,21 @@ pub(crate) struct Arguments {
     /// Say only what is wrong.
     #[arg(short, long, global = true)]
     pub(crate) quiet: bool,
+    /// Print for programs: JSON on standard output.
+    #[arg(long, global = true)]
+    pub(crate) json: bool,
     #[command(subcommand)]
     pub(crate) command: Command,
 }
 
 #[derive(Subcommand)]
 pub(crate) enum Command {
-    /// Checks a profile and reports every finding.
-    #[command(after_help = "Example:\n  drivewright check profiles/savch/sdv3-e --format github")]
+    /// Checks profiles and reports every finding.
+    #[command(after_help = "Examples:\n  drivewright check\n  drivewright check sdv3-e --json\n  \
+                            drivewright check profiles/acme/x1 --format github")]
     Check {
-        /// Id of a drive below `profiles/`, or the profile's folder.
-        drive: String,
+        /// Ids of drives below `profiles/`, or profiles' folders; every drive when left out.
+        drives: Vec<String>,
         /// How findings are printed.
         #[arg(long, value_enum, default_value_t)]
         format: Format,
@@ -66,18 +70,16 @@ pub(crate) enum Command {
     /// Proves the facts of a profile against the text extract of a manual.
     #[command(after_help = "Examples:\n  drivewright audit sdv3-e --manual sdv3-e.txt\n  \
                             drivewright audit profiles/acme/x1 --manual x1.txt --contradictions\n  \
-                            drivewright audit sdv3-e --manual sdv3-e.txt --record\n\n\
+                            drivewright audit sdv3-e --manual sdv3-e.txt --record\n  \
+                            drivewright audit sdv3-e --manual sdv3-e.txt --json\n\n\
                             The manuals are their makers' and not part of the project. Without --manual the file is\n\
                             DRIVE.txt in the folder that DRIVEWRIGHT_MANUALS names.")]
     Audit(AuditArguments),
     /// Counts, for each table of a drive, how many rows have which keys.
-    #[command(after_help = "Example:\n  drivewright coverage sdv3-e")]
+    #[command(after_help = "Examples:\n  drivewright coverage\n  drivewright coverage sdv3-e --json")]
     Coverage {
         /// Ids of drives below `profiles/`, or profiles' folders; every drive when left out.
         drives: Vec<String>,
-        /// Print the result as one JSON object.
-        #[arg(long)]
-        json: bool,
     },
     /// Checks a configuration of a drive and writes it as a DCF, or as the list of writes of a master.
     #[command(after_help = "Examples:\n  drivewright dcf sdv3-e --config axis.toml\n  \
@@ -86,8 +88,11 @@ pub(crate) enum Command {
                             profiles/CONFIGURATIONS.md describes the configuration.")]
     Dcf(DcfArguments),
     /// Lists every code.
+    #[command(after_help = "Examples:\n  drivewright lints\n  drivewright lints --json")]
     Lints,
     /// Prints the JSON schema of profiles, for completion in an editor.
+    #[command(after_help = "Examples:\n  drivewright schema > profile.schema.json\n  \
+                            drivewright schema --configuration")]
     Schema {
         /// Print that of configurations.
         #[arg(long)]
@@ -124,9 +129,6 @@ pub(crate) struct AuditArguments {
     /// Write the profile's `audit.toml` if nothing is left open.
     #[arg(long)]
     pub(crate) record: bool,
-    /// Print the result as one JSON object.
-    #[arg(long)]
-    pub(crate) json: bool,
 }
 
 /// What `dcf` is asked for.
@@ -151,7 +153,7 @@ pub(crate) struct DcfArguments {
     pub(crate) format: Format,
 }
 
-/// How findings are printed.
+/// How findings are printed. `--json` is short for `--format json`.
 #[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
     /// For people.

@@ -1,7 +1,6 @@
 //! What each command does.
 
-use std::io::IsTerminal;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clap::CommandFactory;
 use drivewright_codegen::backend::{self, Backend};
@@ -14,28 +13,28 @@ use drivewright_codegen::source::SourceMap;
 use drivewright_codegen::{Compiled, compile_folder, configuration, emit, schema};
 
 use crate::arguments::{Arguments, Command, Format};
-use crate::drives::folder;
-use crate::output::{counted, disk, print, several};
+use crate::drives::{folder, folders};
+use crate::output::{Shape, colour, counted, disk, print, several, tell, tell_all, working};
 use crate::{End, audit, coverage, dcf};
 
 /// Runs the command.
 pub(crate) fn run(arguments: &Arguments) -> End {
-    let quiet = arguments.quiet;
+    let Arguments { quiet, json, .. } = *arguments;
+    let shape = Shape { quiet, json };
+    let asked = |format: Format| if json { Format::Json } else { format };
     match &arguments.command {
-        Command::Check { drive, format } => {
-            folder(drive).map_or_else(|end| end, |folder| check(&folder, *format, quiet))
-        }
+        Command::Check { drives, format } => check(drives, asked(*format), quiet),
         Command::Build { drive, out, prune, only, check, diff, format } => {
             let mode = if *check { Mode::Check } else { Mode::Write };
             let mode = if *diff { Mode::Diff } else { mode };
             let to = Target { folder: out, prune: *prune, mode };
-            folder(drive).map_or_else(|end| end, |folder| build(&folder, &to, only, *format, quiet))
+            folder(drive).map_or_else(|end| end, |folder| build(&folder, &to, only, asked(*format), quiet))
         }
         Command::Explain { code } => explain(code),
-        Command::Audit(asked) => audit::run(asked, quiet),
-        Command::Coverage { drives, json } => coverage::run(drives, *json),
-        Command::Lints => print(&codes()),
-        Command::Dcf(asked) => dcf::run(asked, quiet),
+        Command::Audit(wanted) => audit::run(wanted, shape),
+        Command::Coverage { drives } => coverage::run(drives, json),
+        Command::Lints => print(&if json { codes_json() } else { codes() }),
+        Command::Dcf(wanted) => dcf::run(wanted, asked(wanted.format), quiet),
         Command::Schema { configuration: true } => print(&schema::configuration_schema()),
         Command::Schema { .. } => print(&schema::profile_schema()),
         Command::Completions { shell } => {
@@ -77,12 +76,12 @@ pub(crate) fn findings(
     format: Format,
 ) -> End {
     match format {
-        Format::Json => print(&json::lines(found, sources)),
+        Format::Json => print(&json::lines(found, sources, folder)),
         Format::Github => print(&github::commands(found, sources, folder)),
         Format::Human => {
-            eprint!("{}", render::text(found, sources, style()));
+            tell_all(&render::text(found, sources, render::Style { colour: colour() }));
             if let Some(summary) = render::summary(found) {
-                eprintln!("{of}: {summary}; `drivewright explain CODE` tells more");
+                tell!("{of}: {summary}; `drivewright explain CODE` tells more");
             }
             End::Fine
         }
@@ -102,14 +101,18 @@ fn counts(model: &Model, folder: &str) -> String {
     )
 }
 
-fn style() -> render::Style {
-    let no_colour = std::env::var_os("NO_COLOR").is_some_and(|v| !v.is_empty());
-    render::Style { colour: std::io::stderr().is_terminal() && !no_colour }
-}
-
-fn check(folder: &Path, format: Format, quiet: bool) -> End {
-    let (compiled, _) = compile_folder(folder);
-    show(&compiled, folder, format, quiet).max(end(&compiled))
+fn check(drives: &[String], format: Format, quiet: bool) -> End {
+    let folders = match folders(drives) {
+        Ok(folders) => folders,
+        Err(end) => return end,
+    };
+    let one = |folder: &PathBuf| {
+        let working = working(&format!("checking {}", folder.display()), quiet);
+        let (compiled, _) = compile_folder(folder);
+        drop(working);
+        show(&compiled, folder, format, quiet).max(end(&compiled))
+    };
+    folders.iter().map(one).max().unwrap_or(End::Fine)
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -150,7 +153,7 @@ impl Target<'_> {
 
 fn build(folder: &Path, to: &Target<'_>, only: &[String], format: Format, quiet: bool) -> End {
     if to.prune && to.holds(folder) {
-        eprintln!(
+        tell!(
             "error: {} and the profile {} lie in one another: --prune would remove the profile; name another folder",
             to.folder.display(),
             folder.display()
@@ -160,7 +163,7 @@ fn build(folder: &Path, to: &Target<'_>, only: &[String], format: Format, quiet:
     let (mut compiled, _) = compile_folder(folder);
     let Some(model) = compiled.sound().cloned() else {
         let shown = show(&compiled, folder, format, quiet);
-        eprintln!("nothing was written");
+        tell!("nothing was written");
         return shown.max(end(&compiled));
     };
     let chosen: Vec<&dyn Backend> = backend::ALL
@@ -172,7 +175,7 @@ fn build(folder: &Path, to: &Target<'_>, only: &[String], format: Format, quiet:
     compiled.diagnostics.extend(losses);
     let shown = show(&compiled, folder, format, true);
     if compiled.sound().is_none() {
-        eprintln!("nothing was written");
+        tell!("nothing was written");
         return shown.max(End::Findings);
     }
     shown.max(match to.deliver(&files) {
@@ -202,7 +205,7 @@ fn told(files: &FileSet, to: &Target<'_>, found: &[Difference], format: Format, 
     let shown = if format == Format::Human {
         print(&text)
     } else {
-        eprint!("{text}");
+        tell_all(&text);
         End::Fine
     };
     shown.max(if mode == Mode::Check && !found.is_empty() { End::Findings } else { End::Fine })
@@ -216,7 +219,7 @@ fn explain(wanted: &str) -> End {
     if let Some(text) = plain_codes().find(|c| c.id() == wanted).and_then(page::text) {
         return print(&text);
     }
-    eprintln!("error: there is no code `{wanted}`; `drivewright lints` lists them");
+    tell!("error: there is no code `{wanted}`; `drivewright lints` lists them");
     End::Usage
 }
 
@@ -226,9 +229,22 @@ fn plain_codes() -> impl Iterator<Item = Code> {
     code::ALL.iter().chain(backends).chain(configuration::code::ALL).copied()
 }
 
-fn codes() -> String {
+fn every_code() -> Vec<Code> {
     let mut codes: Vec<_> = plain_codes().chain(LINTS.iter().map(|l| l.code)).collect();
     codes.sort_by_key(|c| c.id()[1..].to_owned());
-    let line = |c: &Code| format!("{}  {:<7}  {}", c.id(), c.severity().word(), c.title());
-    codes.iter().map(line).collect::<Vec<_>>().join("\n") + "\n"
+    codes
+}
+
+fn codes() -> String {
+    let line = |c: &Code| format!("{}  {:<7}  {}\n", c.id(), c.severity().word(), c.title());
+    every_code().iter().map(line).collect()
+}
+
+/// One object a line.
+fn codes_json() -> String {
+    let line = |c: &Code| {
+        let one = serde_json::json!({ "code": c.id(), "severity": c.severity().word(), "title": c.title() });
+        format!("{one}\n")
+    };
+    every_code().iter().map(line).collect()
 }

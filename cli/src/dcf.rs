@@ -12,10 +12,14 @@ use crate::End;
 use crate::arguments::{DcfArguments, Format};
 use crate::commands::findings;
 use crate::drives;
-use crate::output::{counted, disk, print};
+use crate::output::{counted, disk, print, tell};
 
 /// Runs the command.
-pub(crate) fn run(asked: &DcfArguments, quiet: bool) -> End {
+pub(crate) fn run(asked: &DcfArguments, format: Format, quiet: bool) -> End {
+    if format != Format::Human && asked.out.is_none() && asked.concise.is_none() {
+        tell!("error: findings go to standard output, so the DCF cannot: name --out or --concise");
+        return End::Usage;
+    }
     let mut found = match drives::find(&asked.drive) {
         Ok(found) => found,
         Err(end) => return end,
@@ -23,16 +27,16 @@ pub(crate) fn run(asked: &DcfArguments, quiet: bool) -> End {
     let of = asked.config.display().to_string().replace('\\', "/");
     let source = match load::file(&asked.config) {
         Ok(source) => source,
-        Err(unreadable) => return show(&unreadable, &SourceMap::default(), &of, asked.format),
+        Err(unreadable) => return show(&unreadable, &SourceMap::default(), &of, format),
     };
     let Some(model) = found.compiled.sound().cloned() else { return End::Findings };
     let (read, findings) = configuration::read(source, &model, &mut found.compiled.sources);
-    let shown = show(&findings, &found.compiled.sources, &of, asked.format);
+    let shown = show(&findings, &found.compiled.sources, &of, format);
     let Some(configuration) = read else {
-        eprintln!("nothing was written");
+        tell!("nothing was written");
         return shown;
     };
-    shown.max(deliver(asked, &model, &configuration, quiet))
+    shown.max(deliver(asked, &model, &configuration, quiet || format != Format::Human))
 }
 
 fn show(found: &[Diagnostic], sources: &SourceMap, of: &str, format: Format) -> End {
@@ -54,7 +58,7 @@ fn deliver(asked: &DcfArguments, model: &Model, configuration: &Configuration, q
     for (place, bytes) in &files {
         end = end.max(if asked.check { check(place, bytes) } else { write(place, bytes) });
     }
-    if !quiet && end == End::Fine && asked.format == Format::Human {
+    if !quiet && end == End::Fine {
         let places: Vec<String> = files.iter().map(|(place, _)| place.display().to_string()).collect();
         let done = if asked.check { "as written" } else { "written" };
         let writes = counted(configuration.writes.len(), "write");

@@ -89,6 +89,8 @@ fn what_cannot_be_read_or_is_not_meant_is_said() {
     let (code, _, err) = run(&at, &["--config", "nowhere.toml"]);
     assert!(code == Some(3) && err.contains("error[E0001]") && err.contains("nowhere.toml"), "{err}");
     assert_eq!(run(&at, &[]).0, Some(2), "no configuration is named");
+    let (code, out, err) = run(&at, &["--config", "axis.toml", "--json"]);
+    assert!(code == Some(2) && out.is_empty() && err.contains("--out or --concise"), "{err}");
     fs::write(at.join("axis.toml"), b"axis = \"\xFC\"").expect("a file");
     assert_eq!(run(&at, &["--config", "axis.toml"]).0, Some(1), "it is not UTF-8");
     // A folder stands where the file should go.

@@ -7,6 +7,7 @@
 mod audits;
 mod judges;
 mod outcome;
+mod outside;
 mod regen;
 mod snapshots;
 mod test;
