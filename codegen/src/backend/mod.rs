@@ -3,7 +3,9 @@
 pub mod eds;
 pub mod json;
 pub mod map;
+mod prose;
 pub mod rust;
+mod template;
 
 use crate::diag::{Code, Sink};
 use crate::emit::FileSet;
