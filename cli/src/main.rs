@@ -12,6 +12,7 @@ mod audit;
 mod commands;
 mod coverage;
 mod drives;
+mod explain;
 mod output;
 
 use std::process::ExitCode;

@@ -97,10 +97,7 @@ pub(super) fn view(book: &Book<'_>, alarm: &Alarm) -> AlarmView {
         name: book.text(&alarm.printed),
         reset: match alarm.reset.as_ref().map(|r| r.value) {
             Some(Reset::Resettable) => "A fault reset clears it once the cause is gone.".to_owned(),
-            Some(Reset::NotResettable) => {
-                "A fault reset does not clear it: remove the cause and switch the drive off and on."
-                    .to_owned()
-            }
+            Some(Reset::NotResettable) => "A fault reset does not clear it.".to_owned(),
             None => "Whether a fault reset clears it is not stated.".to_owned(),
         },
         causes: texts(&alarm.causes),

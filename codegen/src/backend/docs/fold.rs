@@ -37,10 +37,17 @@ fn known_alike(a: &Entry, b: &Entry) -> bool {
     a.len() == b.len() && a.iter().zip(&b).all(same)
 }
 
-/// Sub-indexes of a run: `01`, or `01 to 3F`.
-pub(super) fn subs(run: &[&Entry]) -> String {
-    match run {
-        [first, .., last] => format!("{:02X} to {:02X}", first.address.sub, last.address.sub),
-        _ => run.first().map_or_else(String::new, |e| format!("{:02X}", e.address.sub)),
+/// First and last sub-index of a run.
+pub(super) fn span(run: &[&Entry]) -> (u8, u8) {
+    let sub = |entry: Option<&&Entry>| entry.map_or(0, |e| e.address.sub);
+    (sub(run.first()), sub(run.last()))
+}
+
+/// `01`, `01, 02`, or `01 to 3F`.
+pub(super) fn sub_span(first: u8, last: u8) -> String {
+    match last.saturating_sub(first) {
+        0 => format!("{first:02X}"),
+        1 => format!("{first:02X}, {last:02X}"),
+        _ => format!("{first:02X} to {last:02X}"),
     }
 }

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::book::{Book, mark};
 use super::table::Table;
-use crate::backend::prose::listed;
+use crate::backend::prose::{capital, listed};
 use crate::model::{
     Class, Erratum, Event, HomingCase, HomingMethod, HomingStatus, Level, Origin, Pace, Side, Signal, Step,
     When,
@@ -38,7 +38,8 @@ struct CaseView {
     rest: String,
 }
 
-fn anchor(number: i8) -> String {
+/// The anchor of a method.
+pub(super) fn anchor(number: i8) -> String {
     let sign = if number < 0 { "n" } else { "" };
     format!("method-{sign}{}", number.unsigned_abs())
 }
@@ -84,14 +85,14 @@ pub(super) fn view(book: &Book<'_>, method: &HomingMethod) -> MethodView {
         }
         (HomingStatus::Supported, None) => String::new(),
     };
-    let names = ["First move", "Looks for", "Home is", "On its side", "Edge"];
+    let names = ["first move", "looks for", "home is", "on its side", "edge"];
     let row = names.into_iter().zip(columns(book, method)).filter(|(_, value)| !value.is_empty());
     MethodView {
         anchor: book.anchored(&anchor(method.number)),
         number: method.number,
         status,
         texts: method.text.iter().map(|t| book.prose(t)).collect(),
-        facts: row.map(|(name, value)| format!("{name}: {value}")).collect::<Vec<_>>().join("; "),
+        facts: capital(&row.map(|(name, value)| format!("{name}: {value}")).collect::<Vec<_>>().join("; ")),
         cases: method.cases.iter().map(|c| case(book, c)).collect(),
         items: items(book, method),
         errata: errata(book, method),
@@ -173,7 +174,7 @@ fn items(book: &Book<'_>, method: &HomingMethod) -> Vec<String> {
     for (what, origin) in facts(method) {
         let (Class::Inferred(rule) | Class::Assumed(rule)) = &origin.class else { continue };
         let text = book.prose(rule.trim_end_matches('.'));
-        let item = format!("{} {what}, {}: {text}.", mark(&origin.class), origin.class.word());
+        let item = format!("{}, {}{}: {text}.", capital(what), origin.class.word(), mark(&origin.class));
         if !items.contains(&item) {
             items.push(item);
         }

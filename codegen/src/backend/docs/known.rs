@@ -99,6 +99,9 @@ fn places_of(book: &Book<'_>, lines: &[&FactLine<'_>]) -> String {
 
 /// The key of a row, as a link where it is an object.
 fn row(book: &Book<'_>, key: &str) -> String {
+    if let Some(number) = key.strip_prefix("homing ").and_then(|k| k.split('.').next()?.parse().ok()) {
+        return book.link(&book.text(key), &format!("homing.md#{}", super::homing::anchor(number)));
+    }
     let Some(at) = key.strip_prefix("object ") else { return book.text(key) };
     match at.split_once(':') {
         Some((index, sub)) => match (u16::from_str_radix(index, 16), u8::from_str_radix(sub, 16)) {

@@ -35,7 +35,7 @@ use crate::model::Model;
 use book::{Book, ObjectPage};
 use table::Table;
 
-pub use explain::explain;
+pub use explain::{ASKED, explain};
 
 /// Reference documentation in Markdown.
 pub struct Docs;

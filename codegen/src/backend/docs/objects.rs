@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::book::{Book, entry_anchor, mark};
-use super::fold::{runs, subs};
+use super::fold::{runs, span, sub_span};
 use super::meanings::{self, Meaning};
 use super::table::Table;
 use crate::backend::prose;
@@ -30,9 +30,19 @@ const HEAD: [&str; 9] =
 
 /// What to tell of `object`.
 pub(super) fn view(book: &Book<'_>, object: &Object) -> ObjectView {
-    let runs = runs(book.model, object);
+    told(book, object, None)
+}
+
+/// What to tell of `object`, or of its entry at `at` only.
+pub(super) fn told(book: &Book<'_>, object: &Object, at: Option<Address>) -> ObjectView {
+    let mut runs = runs(book.model, object);
+    if let Some(at) = at {
+        // The row of an entry that is asked for is its own.
+        runs = book.model.entry(at).map(|(_, entry)| vec![vec![entry]]).unwrap_or_default();
+    }
     let single = object.entries.len() == 1;
-    let kind = book.marked(object.kind.value.word(), &[&object.kind.origin]);
+    let kind = format!("{} of {} entries", prose::capital(object.kind.value.word()), object.entries.len());
+    let kind = book.marked(&kind, &[&object.kind.origin]);
     let name = if single {
         book.name(&object.name.value)
     } else {
@@ -42,7 +52,7 @@ pub(super) fn view(book: &Book<'_>, object: &Object) -> ObjectView {
         anchor: book.anchored(&format!("{:04x}", object.index)),
         index: format!("{:04X}h", object.index),
         name: if single { runs.first().map_or(name, |run| book.text(&run[0].name.value)) } else { name },
-        kind: if single { String::new() } else { kind },
+        kind: if single { String::new() } else { kind + "." },
         texts: texts(book, object, &runs),
         table: Table::of(&HEAD, runs.iter().map(|run| row(book, run))).text(book.plain),
         items: items(book, object, &runs),
@@ -63,8 +73,12 @@ fn texts(book: &Book<'_>, object: &Object, runs: &[Vec<&Entry>]) -> Vec<String> 
 /// The row of one entry, or of several that say the same.
 pub(super) fn row(book: &Book<'_>, run: &[&Entry]) -> [String; 9] {
     let entry = run[0];
-    let sub = book.anchored(&entry_anchor(entry.address)) + &subs(run);
-    let [name, ty, access, pdo, unit, range, default, manual] = values(book, entry);
+    let sub = book.anchored(&entry_anchor(entry.address)) + &sub_span(span(run).0, span(run).1);
+    let [mut name, ty, access, pdo, unit, range, default, manual] = values(book, entry);
+    // The heading above the one row of an object says it.
+    if book.model.objects[entry.object].entries.len() == 1 && name == book.text(&entry.name.value) {
+        name.clear();
+    }
     [sub, name, ty, access, pdo, unit, range, default, manual]
 }
 
@@ -156,57 +170,75 @@ pub(super) fn facts(entry: &Entry) -> Vec<(&'static str, &Origin)> {
 }
 
 /// What a list below the table says: the same thing of several entries once.
+#[derive(Default)]
 struct Items {
-    /// What is said, with the entries of which it is said.
-    said: Vec<(String, Vec<String>)>,
+    said: Vec<Item>,
+}
+
+/// One thing that is said, of which values (or of the entry itself) and of which sub-indexes.
+struct Item {
+    of: String,
+    text: String,
+    subs: Vec<(u8, u8)>,
 }
 
 impl Items {
-    fn say(&mut self, what: String, of: String) {
-        match self.said.iter_mut().find(|(known, _)| *known == what) {
-            Some((_, all)) if all.last() == Some(&of) => {}
-            Some((_, all)) => all.push(of),
-            None => self.said.push((what, vec![of])),
+    fn say(&mut self, of: &str, text: String, run: &[&Entry]) {
+        let (first, last) = span(run);
+        let known = self.said.iter_mut().find(|item| item.of == of && item.text == text);
+        let Some(item) = known else {
+            return self.said.push(Item { of: of.to_owned(), text, subs: vec![(first, last)] });
+        };
+        match item.subs.last_mut() {
+            Some(before) if before.1.checked_add(1) == Some(first) => before.1 = last,
+            _ => item.subs.push((first, last)),
+        }
+    }
+}
+
+impl Item {
+    /// `Type, access of 01 to 03: said`; without the sub-indexes where there is one row only.
+    fn line(&self, single: bool) -> String {
+        let Self { of, text, .. } = self;
+        let subs: Vec<String> = self.subs.iter().map(|(first, last)| sub_span(*first, *last)).collect();
+        match (of.is_empty(), single || subs.is_empty()) {
+            (true, true) => text.clone(),
+            (true, false) => format!("{}: {text}", subs.join(", ")),
+            (false, true) => format!("{}: {text}", prose::capital(of)),
+            (false, false) => format!("{} of {}: {text}", prose::capital(of), subs.join(", ")),
         }
     }
 }
 
 fn items(book: &Book<'_>, object: &Object, runs: &[Vec<&Entry>]) -> Vec<String> {
-    let mut items = Items { said: Vec::new() };
-    items.said.extend(whole(book, object).into_iter().map(|said| (said, Vec::new())));
+    let mut items = Items::default();
+    let whole = whole(book, object);
+    items.said.extend(whole.into_iter().map(|text| Item { of: String::new(), text, subs: Vec::new() }));
+    let single = runs.len() == 1;
     for run in runs {
-        let of = subs(run);
-        let told =
-            |text: &Option<String>, before: &str| text.as_ref().map(|t| format!("{before}{}", book.prose(t)));
-        // What an object with one row is for stands above its table.
-        let text = if runs.len() == 1 { None } else { told(&run[0].text, "") };
-        let notes =
-            [text, told(&run[0].note, "Note: "), told(&run[0].deviation, "Deviates from the standard: ")];
-        let effect = run[0].effect.as_ref().map(|e| {
-            let when = prose::effect(e.value);
-            let when = if book.plain { when.replace('*', "") } else { when.to_owned() };
-            book.marked(&format!("A new value takes effect {when}."), &[&e.origin])
-        });
-        for said in notes.into_iter().flatten().chain(effect) {
-            items.say(said, of.clone());
+        let entry = run[0];
+        for text in words(book, entry, single) {
+            items.say("", text, run);
         }
-        for (what, reason) in known(book, run[0]) {
-            items.say(reason, format!("{what} of {of}"));
+        for (what, text) in known(book, entry) {
+            items.say(&what, text, run);
         }
     }
-    let single = runs.len() == 1;
-    items.said.into_iter().map(|(said, of)| item(&said, &of, single)).collect()
+    items.said.iter().map(|item| item.line(single)).collect()
 }
 
-/// `01, 03: said`; without the sub-indexes where there is one row only.
-fn item(said: &str, of: &[String], single: bool) -> String {
-    let of: Vec<String> = if single {
-        let whats = of.iter().filter_map(|o| o.split_once(" of ").map(|(what, _)| what.to_owned()));
-        whats.collect()
-    } else {
-        of.to_vec()
-    };
-    if of.is_empty() { said.to_owned() } else { format!("{}: {said}", of.join(", ")) }
+/// Our words on an entry. What an object with one row is for stands above its table.
+fn words(book: &Book<'_>, entry: &Entry, single: bool) -> Vec<String> {
+    let prose =
+        |text: &Option<String>, before: &str| text.as_ref().map(|t| format!("{before}{}", book.prose(t)));
+    let text = if single { None } else { prose(&entry.text, "") };
+    let effect = entry.effect.as_ref().map(|e| {
+        let when = prose::effect(e.value);
+        let when = if book.plain { when.replace('*', "") } else { when.to_owned() };
+        book.marked(&format!("A new value takes effect {when}."), &[&e.origin])
+    });
+    let deviation = prose(&entry.deviation, "Deviates from the standard: ");
+    [text, effect, prose(&entry.note, "Note: "), deviation].into_iter().flatten().collect()
 }
 
 /// What to know of the object as a whole.
@@ -218,22 +250,31 @@ fn whole(book: &Book<'_>, object: &Object) -> Vec<String> {
     [note, deviation, also].into_iter().flatten().collect()
 }
 
-/// Reasons of values that the manual does not state, and places of those that stand elsewhere than the row.
-fn known(book: &Book<'_>, entry: &Entry) -> Vec<(&'static str, String)> {
+/// Reasons of values that the manual does not state, and places of those that stand elsewhere than the row: which values,
+/// and what to say of them.
+fn known(book: &Book<'_>, entry: &Entry) -> Vec<(String, String)> {
     let row = row_cite(entry);
-    let said = |(what, origin): (&'static str, &Origin)| match (&origin.class, &origin.cite) {
+    let said = |origin: &Origin| match (&origin.class, &origin.cite) {
         // That of an erratum stands with the erratum.
         (Class::Inferred(_), _) if origin.erratum.is_some() => None,
         (Class::Inferred(rule) | Class::Assumed(rule), _) => {
             let text = book.prose(rule.trim_end_matches('.'));
-            Some((what, format!("{} {}: {text}.", mark(&origin.class), origin.class.word())))
+            Some(format!("{}{}: {text}.", origin.class.word(), mark(&origin.class)))
         }
         (Class::Stated, cite) if cite.is_some() && cite.as_ref() != row => {
-            Some((what, format!("printed in {}.", book.cite(cite.as_ref()))))
+            Some(format!("{}.", book.cite(cite.as_ref())))
         }
         _ => None,
     };
-    facts(entry).into_iter().filter_map(said).collect()
+    let mut all: Vec<(String, String)> = Vec::new();
+    for (what, origin) in facts(entry) {
+        let Some(text) = said(origin) else { continue };
+        match all.iter_mut().find(|(_, known)| *known == text) {
+            Some((whats, _)) => whats.extend([", ", what]),
+            None => all.push((what.to_owned(), text)),
+        }
+    }
+    all
 }
 
 /// Errata of the object and of its entries.
