@@ -184,6 +184,11 @@ impl<'m> Book<'m> {
         if self.plain { label.to_owned() } else { format!("[{label}]({target})") }
     }
 
+    /// A word of the profile's language, such as a key of a row.
+    pub(super) fn code(&self, word: &str) -> String {
+        if self.plain { word.to_owned() } else { format!("`{word}`") }
+    }
+
     /// An address, as a link where the drive has it.
     pub(super) fn address(&self, at: Address) -> String {
         let label = at.to_string();

@@ -37,9 +37,14 @@ pub(super) struct ErratumView {
 }
 
 const DOUBT: [(Sure, &str, &str, &str); 3] = [
-    (Sure::Low, "doubtful", "Doubtful", "Only the device can settle these: look before you rely on one."),
-    (Sure::Medium, "likely", "Likely", "The likelier reading is used. Confirm it on the device."),
-    (Sure::High, "clear", "Clear", "Nothing else fits."),
+    (
+        Sure::Low,
+        "errata-doubtful",
+        "Doubtful",
+        "Only the device can settle these: look before you rely on one.",
+    ),
+    (Sure::Medium, "errata-likely", "Likely", "The likelier reading is used. Confirm it on the device."),
+    (Sure::High, "errata-clear", "Clear", "Nothing else fits."),
 ];
 
 /// How many errata there are of each degree of doubt: `(anchor, title, count)`.
@@ -59,7 +64,7 @@ pub(super) fn page(book: &Book<'_>) -> Option<Errata> {
         let all: Vec<&Erratum> = errata.iter().filter(|e| e.sure == *sure).collect();
         let rows = all.iter().map(|e| {
             let used = e.outcome(book.escape());
-            [book.erratum(e), place(book, e), field(book, e), book.text(&e.was), used]
+            [book.erratum(e), place(book, e), book.code(&e.field), book.text(&e.was), used]
         });
         let overview = Table::of(&["Erratum", "Row", "Field", "Printed", "Then"], rows).text(book.plain);
         (!all.is_empty()).then(|| Group {
@@ -92,10 +97,6 @@ fn place(book: &Book<'_>, e: &Erratum) -> String {
     alarm.map_or_else(|| book.prose(&e.at), |a| format!("alarm {}", book.alarm(a)))
 }
 
-fn field(book: &Book<'_>, e: &Erratum) -> String {
-    if book.plain { e.field.clone() } else { format!("`{}`", e.field) }
-}
-
 /// What to tell of an erratum.
 pub(super) fn view(book: &Book<'_>, e: &Erratum) -> ErratumView {
     let used = match (&e.set, e.unset) {
@@ -107,7 +108,7 @@ pub(super) fn view(book: &Book<'_>, e: &Erratum) -> ErratumView {
         anchor: book.anchored(&book.erratum_anchor(e)),
         id: book.text(&e.id),
         at: place(book, e),
-        field: field(book, e),
+        field: book.code(&e.field),
         printed: format!("{} (in {})", book.text(&e.was), book.text(&e.seen.to_string())),
         used,
         other: e.by.as_ref().map(|by| book.text(&by.to_string())).unwrap_or_default(),

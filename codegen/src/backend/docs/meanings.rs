@@ -6,7 +6,7 @@ use super::book::Book;
 use super::table::Table;
 use crate::backend::prose::{capital, shown};
 use crate::emit::escape::anchor;
-use crate::model::{Address, BitField, BitsId, Entry, EnumId, Object};
+use crate::model::{Address, BitField, BitsId, Entry, EnumId};
 use crate::name::Name;
 
 /// A table of named values or bits.
@@ -25,11 +25,10 @@ impl Meaning {
     }
 }
 
-/// Tables that entries of `object` use. One that another object used before is named, and not told again.
-pub(super) fn of(book: &Book<'_>, object: &Object) -> Vec<Meaning> {
-    let model = book.model;
+/// Tables that entries of an object use. One that another object used before is named, and not told again.
+pub(super) fn of(book: &Book<'_>, runs: &[Vec<&Entry>]) -> Vec<Meaning> {
     let mut found: Vec<(String, Meaning)> = Vec::new();
-    for entry in object.entries.iter().map(|id| &model.entries[*id]) {
+    for entry in runs.iter().map(|run| run[0]) {
         let values = entry.values.as_ref().map(|v| values(book, entry, v.value));
         let bits = entry.bits.as_ref().map(|b| bits(book, entry, b.value));
         for (key, meaning) in values.into_iter().chain(bits) {

@@ -56,8 +56,8 @@ pub(super) fn told(book: &Book<'_>, object: &Object, at: Option<Address>) -> Obj
         texts: texts(book, object, &runs),
         table: Table::of(&HEAD, runs.iter().map(|run| row(book, run))).text(book.plain),
         items: items(book, object, &runs),
-        errata: errata(book, object),
-        meanings: meanings::of(book, object),
+        errata: errata(book, object, at),
+        meanings: meanings::of(book, &runs),
     }
 }
 
@@ -277,18 +277,21 @@ fn known(book: &Book<'_>, entry: &Entry) -> Vec<(String, String)> {
     all
 }
 
-/// Errata of the object and of its entries.
-fn errata(book: &Book<'_>, object: &Object) -> Vec<String> {
-    book.errata_of(object.index).map(|e| erratum(book, e)).collect()
+/// Errata of the object and of its entries, or of one of them.
+fn errata(book: &Book<'_>, object: &Object, at: Option<Address>) -> Vec<String> {
+    match at.and_then(|at| book.model.entry(at)) {
+        Some((_, entry)) => prose::errata_of(entry, book.model).map(|e| erratum(book, e)).collect(),
+        None => book.errata_of(object.index).map(|e| erratum(book, e)).collect(),
+    }
 }
 
 /// An erratum in one line: what is printed and what is used.
 pub(super) fn erratum(book: &Book<'_>, e: &Erratum) -> String {
     format!(
-        "Erratum {}: {} `{}` is printed {}; {}. How sure: {}. {}",
+        "Erratum {}: {} {} is printed {}; {}. How sure: {}. {}",
         book.erratum(e),
         book.text(&e.at),
-        e.field,
+        book.code(&e.field),
         book.text(&e.was),
         e.outcome(book.escape()),
         e.sure.word(),
