@@ -12,7 +12,7 @@ use crate::name::Name;
 use super::fold;
 
 /// Most entries on one page: with some hundred bytes each it stays below what code hosts render.
-const ENTRIES: usize = 1_000;
+const ENTRIES: usize = 500;
 
 /// A part of the object dictionary.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

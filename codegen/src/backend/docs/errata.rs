@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::book::Book;
 use super::table::Table;
+use crate::backend::prose;
 use crate::model::{Erratum, Sure};
 
 /// The page.
@@ -63,8 +64,8 @@ pub(super) fn page(book: &Book<'_>) -> Option<Errata> {
     let groups = DOUBT.iter().filter_map(|(sure, anchor, title, about)| {
         let all: Vec<&Erratum> = errata.iter().filter(|e| e.sure == *sure).collect();
         let rows = all.iter().map(|e| {
-            let used = e.outcome(book.escape());
-            [book.erratum(e), place(book, e), book.code(&e.field), book.text(&e.was), used]
+            let used = outcome(book, e);
+            [book.erratum(e), place(book, e), book.code(&e.field), value(book, e, &e.was), used]
         });
         let overview = Table::of(&["Erratum", "Row", "Field", "Printed", "Then"], rows).text(book.plain);
         (!all.is_empty()).then(|| Group {
@@ -97,10 +98,29 @@ fn place(book: &Book<'_>, e: &Erratum) -> String {
     alarm.map_or_else(|| book.prose(&e.at), |a| format!("alarm {}", book.alarm(a)))
 }
 
+/// A value of an erratum as the reader knows it from the row: codes of alarms and words of objects in hexadecimal.
+pub(super) fn value(book: &Book<'_>, e: &Erratum, text: &str) -> String {
+    let number = text.parse::<i128>().ok().filter(|n| *n >= 0);
+    match (number, e.field.as_str(), e.address.and_then(|at| book.model.entry(at))) {
+        (Some(n), "code" | "aux" | "al_status", None) => format!("{n:04X}h"),
+        (Some(n), "number", None) => format!("{n:02X}h"),
+        (Some(n), "min" | "max" | "default", Some((_, entry))) => prose::shown(entry, n),
+        _ => book.text(text),
+    }
+}
+
+/// What becomes of what is printed: `used 5`, `dropped` or `kept`.
+pub(super) fn outcome(book: &Book<'_>, e: &Erratum) -> String {
+    match &e.set {
+        Some(set) => format!("used {}", value(book, e, set)),
+        None => e.outcome(book.escape()),
+    }
+}
+
 /// What to tell of an erratum.
 pub(super) fn view(book: &Book<'_>, e: &Erratum) -> ErratumView {
     let used = match (&e.set, e.unset) {
-        (Some(set), _) => book.text(set),
+        (Some(set), _) => value(book, e, set),
         (None, true) => "nothing: the printed value is dropped".to_owned(),
         (None, false) => "the printed value".to_owned(),
     };
@@ -109,7 +129,7 @@ pub(super) fn view(book: &Book<'_>, e: &Erratum) -> ErratumView {
         id: book.text(&e.id),
         at: place(book, e),
         field: book.code(&e.field),
-        printed: format!("{} (in {})", book.text(&e.was), book.text(&e.seen.to_string())),
+        printed: format!("{} (in {})", value(book, e, &e.was), book.text(&e.seen.to_string())),
         used,
         other: e.by.as_ref().map(|by| book.text(&by.to_string())).unwrap_or_default(),
         why: book.prose(&e.why),

@@ -6,7 +6,7 @@ use super::Page;
 use super::book::Book;
 use super::errata::counts;
 use super::table::Table;
-use crate::facts::{Totals, facts};
+use crate::facts::{FactLine, Totals};
 
 /// The page.
 #[derive(Serialize)]
@@ -20,7 +20,7 @@ pub(super) struct Home {
     totals: String,
 }
 
-pub(super) fn page(book: &Book<'_>, pages: &[Page]) -> Home {
+pub(super) fn page(book: &Book<'_>, pages: &[Page], lines: &[FactLine<'_>]) -> Home {
     let drive = &book.model.drive;
     let rows = pages.iter().map(|p| [book.link(&p.title, &p.file), p.about.clone()]);
     let doubts = counts(book).into_iter().map(|(anchor, title, n)| {
@@ -33,7 +33,7 @@ pub(super) fn page(book: &Book<'_>, pages: &[Page]) -> Home {
         contents: Table::of(&["Page", "What is there"], rows).text(book.plain),
         manuals: manuals(book),
         doubts: doubts.collect(),
-        totals: totals(book),
+        totals: totals(lines),
     }
 }
 
@@ -48,8 +48,8 @@ fn manuals(book: &Book<'_>) -> String {
 }
 
 /// `4439 stated, 12 inferred`
-fn totals(book: &Book<'_>) -> String {
-    let totals = Totals::of(&facts(book.model));
+fn totals(lines: &[FactLine<'_>]) -> String {
+    let totals = Totals::of(lines);
     let all = [
         (totals.stated, "stated"),
         (totals.inferred, "inferred"),

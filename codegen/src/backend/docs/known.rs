@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::book::Book;
 use super::table::Table;
 use crate::backend::eds;
-use crate::facts::{FactLine, Totals, facts};
+use crate::facts::{FactLine, Totals};
 use crate::model::{Address, Class};
 
 /// The page.
@@ -22,8 +22,7 @@ pub(super) struct Known {
 /// Most places that a row names.
 const PLACES: usize = 8;
 
-pub(super) fn page(book: &Book<'_>) -> Known {
-    let lines = facts(book.model);
+pub(super) fn page<'m>(book: &Book<'m>, lines: &[FactLine<'m>]) -> Known {
     let of_erratum =
         |line: &FactLine<'_>| line.erratum.is_some() && matches!(line.class, Some(Class::Inferred(_)));
     let inferred = grouped(book, lines.iter().filter(|l| !of_erratum(l)), |class| match class {
@@ -39,7 +38,7 @@ pub(super) fn page(book: &Book<'_>) -> Known {
         _ => None,
     });
     Known {
-        totals: totals(book, &Totals::of(&lines)),
+        totals: totals(book, &Totals::of(lines)),
         inferred: Table::of(&["Values", "Rule", "Where"], inferred).text(book.plain),
         by_errata: lines.iter().filter(|l| of_erratum(l)).count(),
         assumed: Table::of(&["Values", "Reason", "Where"], assumed).text(book.plain),

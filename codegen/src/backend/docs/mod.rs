@@ -31,6 +31,7 @@ use super::Backend;
 use super::template::render_lines;
 use crate::diag::Sink;
 use crate::emit::FileSet;
+use crate::facts::{FactLine, facts};
 use crate::model::Model;
 use book::{Book, ObjectPage};
 use table::Table;
@@ -47,8 +48,9 @@ impl Backend for Docs {
 
     fn emit(&self, model: &Model, out: &mut FileSet, _sink: &mut Sink) {
         let book = Book::new(model, false);
-        let pages = pages(&book);
-        let home = render_lines(include_str!("res/README.md.j2"), &home::page(&book, &pages));
+        let lines = facts(model);
+        let pages = pages(&book, &lines);
+        let home = render_lines(include_str!("res/README.md.j2"), &home::page(&book, &pages, &lines));
         // Names of pages are literals and indexes, so that none can be refused.
         let _ = out.add("docs/README.md", format!("{GENERATED}\n{}", squeezed(&home)));
         for page in pages {
@@ -93,7 +95,7 @@ fn squeezed(text: &str) -> String {
     out
 }
 
-fn pages(book: &Book<'_>) -> Vec<Page> {
+fn pages<'m>(book: &Book<'m>, lines: &[FactLine<'m>]) -> Vec<Page> {
     let mut pages = Vec::new();
     let mut add = |file: &str, title: &str, about: String, body: String| {
         pages.push(Page { file: file.to_owned(), title: title.to_owned(), about, body });
@@ -156,7 +158,7 @@ fn pages(book: &Book<'_>) -> Vec<Page> {
         "known.md",
         "How it is known",
         about,
-        render_lines(include_str!("res/known.md.j2"), &known::page(book)),
+        render_lines(include_str!("res/known.md.j2"), &known::page(book, lines)),
     );
     pages
 }

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::book::{Book, entry_anchor, mark};
+use super::errata::{outcome, value};
 use super::fold::{runs, span, sub_span};
 use super::meanings::{self, Meaning};
 use super::table::Table;
@@ -292,8 +293,8 @@ pub(super) fn erratum(book: &Book<'_>, e: &Erratum) -> String {
         book.erratum(e),
         book.text(&e.at),
         book.code(&e.field),
-        book.text(&e.was),
-        e.outcome(book.escape()),
+        value(book, e, &e.was),
+        outcome(book, e),
         e.sure.word(),
         book.prose(&e.why)
     )
