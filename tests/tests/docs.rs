@@ -64,8 +64,9 @@ fn read(text: &str) -> Seen {
             Event::Start(Tag::Link { dest_url, .. }) => seen.links.push(dest_url.into_string()),
             Event::Start(Tag::Image { .. }) => seen.images += 1,
             Event::Html(html) | Event::InlineHtml(html) => seen.html.push(html.into_string()),
-            Event::Text(text) => seen.blocks.last_mut().expect("one").push_str(&text),
-            Event::Code(text) => seen.blocks.last_mut().expect("one").push_str(&text),
+            Event::Text(text) | Event::Code(text) => {
+                seen.blocks.last_mut().expect("one").push_str(&text);
+            }
             Event::InlineMath(_) | Event::DisplayMath(_) => seen.html.push("math".into()),
             Event::End(TagEnd::TableCell | TagEnd::Paragraph | TagEnd::Item | TagEnd::Heading(_)) => {
                 seen.blocks.push(String::new());

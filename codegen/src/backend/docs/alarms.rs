@@ -16,7 +16,7 @@ pub(super) struct Alarms {
     by_code: String,
     emergency: String,
     emergency_texts: Vec<String>,
-    alarms: Vec<AlarmView>,
+    sections: Vec<AlarmView>,
 }
 
 /// An alarm for a reader.
@@ -39,7 +39,7 @@ pub(super) fn page(book: &Book<'_>) -> Option<Alarms> {
         by_code: by_code(book, alarms),
         emergency: emergency(book, emcy),
         emergency_texts: emcy.iter().filter_map(|part| told(book, part)).collect(),
-        alarms: alarms.iter().map(|a| view(book, a)).collect(),
+        sections: alarms.iter().map(|a| view(book, a)).collect(),
     })
 }
 

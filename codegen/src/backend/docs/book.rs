@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::backend::prose::Escape;
 use crate::emit::escape::{anchor, markdown, one_line};
 use crate::model::{
-    Address, Alarm, BitsId, Cite, Class, Entry, EnumId, Erratum, ErratumId, Fact, Id, Model, Object, Origin,
+    Address, Alarm, BitsId, Cite, Class, Entry, EnumId, Erratum, ErratumId, Fact, Model, Object, Origin, Rule,
 };
 use crate::name::Name;
 
@@ -50,8 +50,10 @@ pub(super) struct Book<'m> {
     pub(super) pages: Vec<ObjectPage<'m>>,
     /// The row of each entry that shares one with the entry before it.
     folded: BTreeMap<Address, Address>,
-    /// Errata by id: anchor.
+    /// Anchors by id.
     errata: BTreeMap<&'m str, String>,
+    rules: BTreeMap<&'m str, String>,
+    examples: BTreeMap<&'m str, String>,
     /// Entries by parameter number.
     parameters: BTreeMap<&'m str, Address>,
     /// The first entry that uses a table of values, and of bits.
@@ -59,6 +61,8 @@ pub(super) struct Book<'m> {
     bits: BTreeMap<BitsId, Address>,
     /// Errata of an object and of its entries, by index.
     concerned: BTreeMap<u16, BTreeSet<ErratumId>>,
+    /// Rules that name an object, by index.
+    ruled: BTreeMap<u16, Vec<&'m Rule>>,
 }
 
 impl<'m> Book<'m> {
@@ -78,11 +82,14 @@ impl<'m> Book<'m> {
             plain,
             pages: pages(model),
             folded: folded.collect(),
-            errata: erratum_anchors(model),
+            errata: anchors("", model.errata.as_slice().iter().map(|e| e.id.as_str())),
+            rules: anchors("rule-", model.rules.iter().map(|r| r.id.as_str())),
+            examples: anchors("example-", model.examples.iter().map(|e| e.id.as_str())),
             parameters: numbered.collect(),
             enums: enums.collect(),
             bits: bits.collect(),
             concerned: concerned(model),
+            ruled: ruled(model),
         }
     }
 
@@ -100,6 +107,11 @@ impl<'m> Book<'m> {
     pub(super) fn errata_of(&self, index: u16) -> impl Iterator<Item = &'m Erratum> {
         let model = self.model;
         self.concerned.get(&index).into_iter().flatten().map(|id| &model.errata[*id])
+    }
+
+    /// Rules that name the object at `index`.
+    pub(super) fn rules_of(&self, index: u16) -> impl Iterator<Item = &'m Rule> {
+        self.ruled.get(&index).into_iter().flatten().copied()
     }
 
     /// The escaping function of the output.
@@ -131,7 +143,7 @@ impl<'m> Book<'m> {
             // A name of an entity is no word of the text, and one after a backslash is a part of one.
             let target = if before.ends_with(['&', '\\']) { None } else { self.target(word) };
             match target {
-                Some(target) => out.push_str(&format!("[{word}]({target})")),
+                Some(target) => out.extend(["[", word, "](", &target, ")"]),
                 None => out.push_str(word),
             }
             rest = &from[word.len()..];
@@ -210,6 +222,21 @@ impl<'m> Book<'m> {
         self.errata.get(erratum.id.as_str()).cloned().unwrap_or_default()
     }
 
+    /// A rule, as a link.
+    pub(super) fn rule(&self, rule: &Rule) -> String {
+        self.link(&self.text(&rule.id), &format!("rules.md#{}", self.rule_anchor(rule)))
+    }
+
+    /// The anchor of a rule.
+    pub(super) fn rule_anchor(&self, rule: &Rule) -> String {
+        self.rules.get(rule.id.as_str()).cloned().unwrap_or_default()
+    }
+
+    /// The anchor of a worked example.
+    pub(super) fn example_anchor(&self, id: &str) -> String {
+        self.examples.get(id).cloned().unwrap_or_default()
+    }
+
     /// An alarm by its display, as a link.
     pub(super) fn alarm(&self, alarm: &Alarm) -> String {
         self.link(&self.text(&alarm.display), &format!("alarms.md#{}", self.alarm_anchor(alarm)))
@@ -274,15 +301,33 @@ impl<'m> Book<'m> {
     }
 }
 
-/// Anchors of errata by id. One without a letter or digit, or one that is like another but for other signs, gets a number.
-fn erratum_anchors(model: &Model) -> BTreeMap<&str, String> {
+/// Anchors of things by their ids. Ids that differ in signs only get anchors that differ all the same.
+fn anchors<'m>(start: &str, ids: impl Iterator<Item = &'m str>) -> BTreeMap<&'m str, String> {
     let mut taken = BTreeSet::new();
-    let name = |(id, erratum): (ErratumId, &Erratum)| {
-        let name = anchor(&erratum.id);
-        if !name.is_empty() && taken.insert(name.clone()) { name } else { format!("erratum-{}", id.place()) }
-    };
-    let anchors: Vec<String> = model.errata.iter().map(name).collect();
-    model.errata.as_slice().iter().map(|e| e.id.as_str()).zip(anchors).collect()
+    let mut all = BTreeMap::new();
+    for id in ids {
+        all.entry(id).or_insert_with(|| {
+            let mut name = format!("{start}{}", anchor(id));
+            while name.is_empty() || !taken.insert(name.clone()) {
+                name.push_str("-2");
+            }
+            name
+        });
+    }
+    all
+}
+
+/// Rules by the objects that they name.
+fn ruled(model: &Model) -> BTreeMap<u16, Vec<&Rule>> {
+    let mut all: BTreeMap<u16, Vec<&Rule>> = BTreeMap::new();
+    for rule in &model.rules {
+        let parts = rule.require.iter().chain(&rule.when).flat_map(|e| e.value.objects());
+        let named: BTreeSet<u16> = parts.map(|at| at.index).collect();
+        for index in named {
+            all.entry(index).or_default().push(rule);
+        }
+    }
+    all
 }
 
 /// Errata by the index that they are about, or where a value comes from them.

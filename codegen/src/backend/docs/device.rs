@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::book::Book;
 use super::table::Table;
 use crate::backend::prose::shown;
-use crate::model::{Abort, Address, Terminal};
+use crate::model::{Abort, Address};
 
 /// The page.
 #[derive(Serialize)]
@@ -81,8 +81,7 @@ fn terminals(book: &Book<'_>) -> String {
 /// Notes, each once with its terminals.
 fn terminal_texts(book: &Book<'_>) -> Vec<String> {
     let mut notes: Vec<(&String, Vec<String>)> = Vec::new();
-    let noted = |t: &'_ Terminal| t.note.is_some();
-    for terminal in book.model.terminals.iter().filter(|t| noted(t)) {
+    for terminal in &book.model.terminals {
         let (Some(note), name) = (&terminal.note, book.text(&terminal.name)) else { continue };
         match notes.iter_mut().find(|(known, _)| *known == note) {
             Some((_, names)) => names.push(name),

@@ -102,14 +102,11 @@ fn row(book: &Book<'_>, key: &str) -> String {
         return book.link(&book.text(key), &format!("homing.md#{}", super::homing::anchor(number)));
     }
     let Some(at) = key.strip_prefix("object ") else { return book.text(key) };
-    match at.split_once(':') {
-        Some((index, sub)) => match (u16::from_str_radix(index, 16), u8::from_str_radix(sub, 16)) {
-            (Ok(index), Ok(sub)) => book.address(Address::new(index, sub)),
-            _ => book.text(at),
-        },
-        None => {
-            let object = u16::from_str_radix(at, 16).ok().and_then(|index| book.model.object(index));
-            object.map_or_else(|| book.text(at), |object| book.index(object))
-        }
+    let hex = |text: &str| u16::from_str_radix(text, 16).ok();
+    let (index, sub) = at.split_once(':').map_or((hex(at), None), |(index, sub)| (hex(index), hex(sub)));
+    match (index, sub.and_then(|sub| u8::try_from(sub).ok())) {
+        (Some(index), Some(sub)) => book.address(Address::new(index, sub)),
+        (Some(index), None) => book.model.object(index).map_or_else(|| book.text(at), |o| book.index(o)),
+        _ => book.text(at),
     }
 }

@@ -5,7 +5,6 @@ use serde::Serialize;
 use super::book::Book;
 use super::table::Table;
 use crate::backend::prose::{capital, shown};
-use crate::emit::escape::anchor;
 use crate::model::{Address, BitField, BitsId, Entry, EnumId};
 use crate::name::Name;
 
@@ -42,7 +41,7 @@ pub(super) fn of(book: &Book<'_>, runs: &[Vec<&Entry>]) -> Vec<Meaning> {
 
 fn values(book: &Book<'_>, entry: &Entry, id: EnumId) -> (String, Meaning) {
     let table = &book.model.enums[id];
-    let key = format!("values-{}", anchor(table.name.original()));
+    let key = format!("values-{}", table.name.words().join("-"));
     let title = title(book, &table.name, "values");
     if let Some(elsewhere) = elsewhere(book, entry, book.first_of_enum(id)) {
         return (key, Meaning::elsewhere(&title, &elsewhere));
@@ -58,7 +57,7 @@ fn values(book: &Book<'_>, entry: &Entry, id: EnumId) -> (String, Meaning) {
 
 fn bits(book: &Book<'_>, entry: &Entry, id: BitsId) -> (String, Meaning) {
     let table = &book.model.bits[id];
-    let key = format!("bits-{}", anchor(table.name.original()));
+    let key = format!("bits-{}", table.name.words().join("-"));
     let title = title(book, &table.name, "bits");
     if let Some(elsewhere) = elsewhere(book, entry, book.first_of_bits(id)) {
         return (key, Meaning::elsewhere(&title, &elsewhere));

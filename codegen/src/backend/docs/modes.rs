@@ -52,8 +52,8 @@ pub(super) fn page(book: &Book<'_>) -> Option<Modes> {
 /// What to tell of a mode.
 pub(super) fn view(book: &Book<'_>, mode: &Mode) -> ModeView {
     let (controlword, mut items) = bits(book, 0x6040, mode.number);
-    let (statusword, more) = bits(book, 0x6041, mode.number);
-    items.extend(more);
+    let (statusword, deviations) = bits(book, 0x6041, mode.number);
+    items.extend(deviations);
     let objects = mode.objects.as_ref();
     let rows = objects.iter().flat_map(|o| &o.value).map(|at| object(book, *at));
     ModeView {

@@ -122,21 +122,22 @@ fn range(book: &Book<'_>, entry: &Entry) -> String {
 
 fn default(book: &Book<'_>, entry: &Entry, names: Option<&EnumDef>) -> String {
     let Some(fact) = &entry.default else { return String::new() };
-    let shown = match (&fact.value, mapped(entry)) {
-        (Value::Int(n), true) if *n > 0xFFFF => {
-            let at = Address::new((*n >> 16 & 0xFFFF) as u16, (*n >> 8 & 0xFF) as u8);
-            format!("{n:08X}h ({}, {} bits)", book.address(at), *n & 0xFF)
-        }
-        _ => prose::default(entry, names, book.escape()).unwrap_or_default(),
+    let shown = match mapped(entry, &fact.value) {
+        Some((at, bits, word)) => format!("{word:08X}h ({}, {bits} bits)", book.address(at)),
+        None => prose::default(entry, names, book.escape()).unwrap_or_default(),
     };
     book.marked(&shown, &[&fact.origin])
 }
 
-/// Whether its value is a mapping word: index, sub-index and length of a mapped entry.
-fn mapped(entry: &Entry) -> bool {
+/// The entry and the length that a mapping word names, with the word.
+fn mapped(entry: &Entry, value: &Value) -> Option<(Address, u8, u32)> {
+    let Value::Int(n) = value else { return None };
     let index = entry.address.index;
     let mapping = (0x1600..0x1800).contains(&index) || (0x1A00..0x1C00).contains(&index);
-    mapping && entry.address.sub > 0 && entry.ty.value == Type::int(false, 32)
+    let word = u32::try_from(*n).ok().filter(|word| mapping && entry.address.sub > 0 && *word > 0xFFFF)?;
+    let [high, low, sub, bits] = word.to_be_bytes();
+    (entry.ty.value == Type::int(false, 32))
+        .then(|| (Address::new(u16::from_be_bytes([high, low]), sub), bits, word))
 }
 
 /// The place of the row, and where it is printed again.
@@ -225,7 +226,9 @@ fn items(book: &Book<'_>, object: &Object, runs: &[Vec<&Entry>]) -> Vec<String> 
             items.say(&what, text, run);
         }
     }
-    items.said.iter().map(|item| item.line(single)).collect()
+    let rules = book.rules_of(object.index);
+    let rules = rules.map(|rule| format!("Rule {}: {}", book.rule(rule), book.prose(&rule.text.value)));
+    items.said.iter().map(|item| item.line(single)).chain(rules).collect()
 }
 
 /// Our words on an entry. What an object with one row is for stands above its table.

@@ -1,5 +1,7 @@
 //! Process data as the drive ships: the place of every byte.
 
+use std::fmt::Write;
+
 use serde::Serialize;
 
 use super::book::Book;
@@ -106,12 +108,13 @@ fn ruler(book: &Book<'_>, pdo: &Pdo) -> Option<String> {
     let mut byte = 0_u32;
     for mapped in &pdo.entries {
         let count = u32::from(mapped.bits.value) / 8;
-        let cells: String = (byte..byte + count).map(|n| format!(" {n:>2}")).collect();
+        let cells = (byte..byte + count).fold(String::new(), |cells, n| cells + &format!(" {n:>2}"));
         let at = book.model.entries[mapped.entry].address;
         let name = if at.sub == 0 { format!("{:04X}h", at.index) } else { at.to_string() };
         let width = cells.len().max(name.len() + 1);
-        bytes += &format!("{cells:<width$} |");
-        names += &format!(" {name:<0$} |", width - 1);
+        // Writing to a String cannot fail.
+        let _ = write!(bytes, "{cells:<width$} |");
+        let _ = write!(names, " {name:<0$} |", width - 1);
         byte += count;
     }
     Some(format!("{bytes}\n{names}"))

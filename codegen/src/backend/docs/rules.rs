@@ -4,7 +4,6 @@ use serde::Serialize;
 
 use super::book::Book;
 use super::table::Table;
-use crate::emit::escape::anchor;
 use crate::model::{Example, Expr, Fact, Occasion, Rule};
 
 /// The page.
@@ -45,12 +44,12 @@ pub(super) fn view(book: &Book<'_>, rule: &Rule) -> RuleView {
     let items = [
         rule.require.as_ref().map(|e| expr("Must hold", e)),
         rule.when.as_ref().map(|e| expr("If", e)),
-        rule.on.as_ref().map(|o| format!("When: {}", book.marked(occasion(o.value), &[&o.origin]))),
+        rule.on.as_ref().map(|o| book.marked(&format!("Holds {}", occasion(o.value)), &[&o.origin])),
         Some(format!("Manual: {}", book.source(&rule.text.origin)))
             .filter(|_| rule.text.origin.cite.is_some()),
     ];
     RuleView {
-        anchor: book.anchored(&format!("rule-{}", anchor(&rule.id))),
+        anchor: book.anchored(&book.rule_anchor(rule)),
         id: book.text(&rule.id),
         text: book.marked(&book.prose(&rule.text.value), &[&rule.text.origin]),
         items: items.into_iter().flatten().collect(),
@@ -94,7 +93,7 @@ fn example(book: &Book<'_>, steps: &[Example]) -> ExampleView {
     });
     let head = ["Step", "Write", "Parameter", "Entry", "Bits", "Value", "What it shows", "Manual"];
     ExampleView {
-        anchor: book.anchored(&format!("example-{}", anchor(id))),
+        anchor: book.anchored(&book.example_anchor(id)),
         id: book.text(id),
         table: Table::of(&head, rows).text(book.plain),
     }

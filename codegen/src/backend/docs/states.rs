@@ -8,7 +8,7 @@ use super::table::Table;
 /// The page.
 #[derive(Serialize)]
 pub(super) struct States {
-    states: String,
+    words: String,
     commands: String,
     transitions: String,
 }
@@ -37,13 +37,13 @@ const TRANSITIONS: [(&str, &str); 17] = [
 pub(super) fn page(book: &Book<'_>) -> Option<States> {
     let model = book.model;
     (!model.states.is_empty() || !model.commands.is_empty()).then(|| States {
-        states: states(book),
+        words: words(book),
         commands: commands(book),
         transitions: transitions(book),
     })
 }
 
-fn states(book: &Book<'_>) -> String {
+fn words(book: &Book<'_>) -> String {
     let rows = book.model.states.iter().map(|s| {
         let pattern = book.marked(&pattern(s.mask.value, s.value.value), &[&s.mask.origin, &s.value.origin]);
         let masked = format!("{:04X}h", s.mask.value);
