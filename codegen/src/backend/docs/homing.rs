@@ -93,13 +93,13 @@ pub(super) fn view(book: &Book<'_>, method: &HomingMethod) -> MethodView {
         status,
         texts: method.text.iter().map(|t| book.prose(t)).collect(),
         facts: capital(&row.map(|(name, value)| format!("{name}: {value}")).collect::<Vec<_>>().join("; ")),
-        cases: method.cases.iter().map(|c| case(book, c)).collect(),
+        cases: method.cases.iter().map(|c| case(book, method, c)).collect(),
         items: items(book, method),
         errata: errata(book, method),
     }
 }
 
-fn case(book: &Book<'_>, case: &HomingCase) -> CaseView {
+fn case(book: &Book<'_>, method: &HomingMethod, case: &HomingCase) -> CaseView {
     let abort = case.abort.as_ref().map(|a| format!("It ends with an error when {}.", start(&a.value)));
     let mask = case.mask.as_ref().map(|m| {
         let signals: Vec<&str> = m.value.iter().map(|s| switch(*s)).collect();
@@ -107,14 +107,24 @@ fn case(book: &Book<'_>, case: &HomingCase) -> CaseView {
     });
     let rest: Vec<String> = abort.into_iter().chain(mask).collect();
     CaseView {
-        start: if case.when.value.0.is_empty() {
-            "From any start".to_owned()
-        } else {
-            book.marked(&format!("When {} at the start", start(&case.when.value)), &[&case.when.origin])
-        },
+        start: book.marked(&told_apart(method, case), &[&case.when.origin]),
         steps: case.moves.value.0.iter().map(|s| step(*s)).collect(),
         program: case.moves.value.to_string(),
         rest: rest.join(" "),
+    }
+}
+
+/// When a case holds. Cases with the same start are told apart by what happens first.
+fn told_apart(method: &HomingMethod, case: &HomingCase) -> String {
+    let at = if case.when.value.0.is_empty() {
+        "From any start".to_owned()
+    } else {
+        format!("When {} at the start", start(&case.when.value))
+    };
+    let alike = method.cases.iter().filter(|c| c.when.value == case.when.value).count() > 1;
+    match case.moves.value.moves().next() {
+        Some((_, _, until)) if alike => format!("{at}, and the first event is: {}", event(until)),
+        _ => at,
     }
 }
 
