@@ -61,11 +61,15 @@ pub(crate) enum Command {
         #[arg(long, value_enum, default_value_t)]
         format: Format,
     },
-    /// Explains a code: why it is there, an example that fails, one that passes, what to do.
-    #[command(after_help = "Example:\n  drivewright explain E0602")]
+    /// Explains a code of a finding, or what a drive shows: an alarm, an object, a parameter, a homing method, an erratum.
+    #[command(after_help = "Examples:\n  drivewright explain E0602\n  drivewright explain sdv3-e 8611h\n  \
+                            drivewright explain sdv3-e OF\n  drivewright explain sdv3-e 607D:01\n  \
+                            drivewright explain sdv3-e homing 17")]
     Explain {
-        /// The code, such as E0602.
-        code: String,
+        /// The code of a finding, such as E0602; or id of a drive below `profiles/`, or the profile's folder.
+        of: String,
+        /// What to tell of the drive: an error code, a display, an object, a parameter, a method, an erratum, a rule.
+        what: Vec<String>,
     },
     /// Proves the facts of a profile against the text extract of a manual.
     #[command(after_help = "Examples:\n  drivewright audit sdv3-e --manual sdv3-e.txt\n  \

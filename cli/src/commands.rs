@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::CommandFactory;
 use drivewright_codegen::backend::{self, Backend};
 use drivewright_codegen::check::LINTS;
-use drivewright_codegen::diag::{Code, Diagnostic, Severity, code, github, json, page, render};
+use drivewright_codegen::diag::{Code, Diagnostic, Severity, code, github, json, render};
 use drivewright_codegen::emit::FileSet;
 use drivewright_codegen::model::Model;
 use drivewright_codegen::sink::{self, Difference, SinkError, State};
@@ -15,7 +15,7 @@ use drivewright_codegen::{Compiled, compile_folder, configuration, emit, schema}
 use crate::arguments::{Arguments, Command, Format};
 use crate::drives::{folder, folders};
 use crate::output::{Shape, colour, counted, disk, print, several, tell, tell_all, working};
-use crate::{End, audit, coverage, dcf};
+use crate::{End, audit, coverage, dcf, explain};
 
 /// Runs the command.
 pub(crate) fn run(arguments: &Arguments) -> End {
@@ -30,7 +30,7 @@ pub(crate) fn run(arguments: &Arguments) -> End {
             let to = Target { folder: out, prune: *prune, mode };
             folder(drive).map_or_else(|end| end, |folder| build(&folder, &to, only, asked(*format), quiet))
         }
-        Command::Explain { code } => explain(code),
+        Command::Explain { of, what } => explain::run(of, what),
         Command::Audit(wanted) => audit::run(wanted, shape),
         Command::Coverage { drives } => coverage::run(drives, json),
         Command::Lints => print(&if json { codes_json() } else { codes() }),
@@ -211,20 +211,8 @@ fn told(files: &FileSet, to: &Target<'_>, found: &[Difference], format: Format, 
     shown.max(if mode == Mode::Check && !found.is_empty() { End::Findings } else { End::Fine })
 }
 
-fn explain(wanted: &str) -> End {
-    let wanted = wanted.to_ascii_uppercase();
-    if let Some(lint) = LINTS.iter().find(|l| l.code.id() == wanted) {
-        return print(lint.page);
-    }
-    if let Some(text) = plain_codes().find(|c| c.id() == wanted).and_then(page::text) {
-        return print(&text);
-    }
-    tell!("error: there is no code `{wanted}`; `drivewright lints` lists them");
-    End::Usage
-}
-
 /// The codes without a page beside a lint: those of the stages before the lints, of the backends and of configurations.
-fn plain_codes() -> impl Iterator<Item = Code> {
+pub(crate) fn plain_codes() -> impl Iterator<Item = Code> {
     let backends = backend::ALL.iter().flat_map(|b| b.codes());
     code::ALL.iter().chain(backends).chain(configuration::code::ALL).copied()
 }

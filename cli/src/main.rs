@@ -13,6 +13,7 @@ mod commands;
 mod coverage;
 mod dcf;
 mod drives;
+mod explain;
 mod output;
 
 use std::process::ExitCode;

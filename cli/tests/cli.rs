@@ -140,6 +140,7 @@ fn codes_are_listed_and_explained() {
     assert!(out(&run(&at, &["lints"])).contains("E0602  error"));
     assert!(out(&run(&at, &["explain", "e0602"])).contains("## Fails"));
     assert!(out(&run(&at, &["explain", "E0101"])).contains("## What to do"));
+    assert_eq!(code(&run(&at, &["explain", "nowhere", "OF"])), 2);
     assert!(out(&run(&at, &["explain", "W1001"])).contains("an EDS cannot state a value"));
     assert!(out(&run(&at, &["schema"])).contains("draft-07"));
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
@@ -181,4 +182,15 @@ fn a_full_disk_is_said_and_ends_with_its_code() {
         assert_eq!(code(&ended), 3, "{arguments}: {}", err(&ended));
         assert!(err(&ended).contains("error: "), "{arguments}: {}", err(&ended));
     }
+}
+
+#[test]
+fn a_drive_is_explained() {
+    let at = folder("explained", &drive());
+    let object = run(&at, &["explain", "profile", "2000h"]);
+    assert_eq!((code(&object), err(&object).as_str()), (0, ""));
+    assert!(out(&object).contains("2000h Speed") && out(&object).contains("Default"), "{}", out(&object));
+    assert_eq!(out(&run(&at, &["explain", "profile", "2000:00"])), out(&object));
+    let unknown = run(&at, &["explain", "profile", "9999h"]);
+    assert!(code(&unknown) == 2 && err(&unknown).contains("knows nothing of `9999h`"));
 }

@@ -69,7 +69,7 @@ const EVERYTHING: &[&str] = &[
 const KNOWERS: &[(&str, &[&str])] = &[
     ("annotate_snippets", &["diag/render.rs"]),
     ("use ::toml", &["raw/toml.rs"]),
-    ("minijinja", &["backend/rust"]),
+    ("minijinja", &["backend/template.rs"]),
 ];
 
 /// The only files that may touch the file system or the environment.

@@ -6,6 +6,7 @@
 
 mod audits;
 mod judges;
+mod links;
 mod outcome;
 mod outside;
 mod regen;

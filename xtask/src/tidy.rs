@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::{End, Options};
+use crate::{End, Options, links};
 
 /// Runs every check.
 pub fn run(root: &Path, options: &Options) -> End {
@@ -17,7 +17,7 @@ pub fn run(root: &Path, options: &Options) -> End {
         let name = path.to_string_lossy().replace('\\', "/");
         rust(&name, &text, &mut findings);
         generated(&name, &text, &mut findings);
-        markdown(root, &name, &text, &mut findings);
+        links::check(root, &name, &text, &mut findings);
         machine(&name, &text, &mut findings);
     }
     let told = |path: &PathBuf| format!("{}: a snapshot that nobody accepted", path.display());
@@ -78,37 +78,6 @@ fn generated(name: &str, text: &str, findings: &mut Vec<String>) {
     }
 }
 
-/// Links lead somewhere. Only those inside of the repository are looked at.
-fn markdown(root: &Path, name: &str, text: &str, findings: &mut Vec<String>) {
-    if !name.ends_with(".md") {
-        return;
-    }
-    let folder = root.join(name).parent().map(Path::to_owned).unwrap_or_default();
-    for link in links(text) {
-        let file = link.split('#').next().unwrap_or_default();
-        if !file.is_empty()
-            && !link.contains("://")
-            && !link.starts_with("mailto:")
-            && !folder.join(file).exists()
-        {
-            findings.push(format!("{name}: the link `{link}` leads nowhere"));
-        }
-    }
-}
-
-/// The targets of inline links, outside of code.
-fn links(text: &str) -> Vec<String> {
-    let mut code = false;
-    let mut found = Vec::new();
-    for line in text.lines() {
-        code ^= line.trim_start().starts_with("```");
-        let prose: String = line.split('`').step_by(2).collect::<Vec<_>>().join("``");
-        let parts = prose.split("](").skip(1).filter_map(|rest| rest.split_once(')'));
-        found.extend(parts.filter(|_| !code).map(|(link, _)| link.to_owned()));
-    }
-    found
-}
-
 /// Nothing of the machine that wrote a file, and no address of a mirror.
 fn machine(name: &str, text: &str, findings: &mut Vec<String>) {
     const SIGNS: [&str; 6] = ["/home/", "/root/", "/tmp/", "/work/", "files.pythonhosted", "static.crates"];
@@ -162,11 +131,5 @@ mod tests {
         assert_eq!(tracked(&root), [PathBuf::from(".gitignore"), PathBuf::from("µ \"a\".md")]);
         assert_eq!(waiting(&root), [PathBuf::from("a.snap.new")]);
         std::fs::remove_dir_all(&root).unwrap();
-    }
-
-    #[test]
-    fn links_outside_of_code() {
-        let text = "[a](b.md) and `[c](d.md)` [e](f.md#g)\n```\n[h](i.md)\n```\n[j](k)\n";
-        assert_eq!(links(text), ["b.md", "f.md#g", "k"]);
     }
 }

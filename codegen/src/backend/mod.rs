@@ -1,9 +1,12 @@
 //! Output formats. A new one is a folder here and a line in [`ALL`].
 
+pub mod docs;
 pub mod eds;
 pub mod json;
 pub mod map;
+mod prose;
 pub mod rust;
+mod template;
 
 use crate::diag::{Code, Sink};
 use crate::emit::FileSet;
@@ -23,7 +26,7 @@ pub trait Backend: Sync {
 }
 
 /// Every backend, in the order of output.
-pub const ALL: &[&dyn Backend] = &[&rust::Rust, &eds::Eds, &json::Json, &map::Map];
+pub const ALL: &[&dyn Backend] = &[&rust::Rust, &eds::Eds, &json::Json, &map::Map, &docs::Docs];
 
 #[cfg(test)]
 mod tests {

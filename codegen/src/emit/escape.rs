@@ -96,6 +96,14 @@ pub fn markdown(text: &str) -> String {
     out
 }
 
+/// A text as the anchor of a page: its ASCII letters and digits in lower case, with one `-` for what is between them. It may
+/// be empty, and two texts may have the same.
+pub fn anchor(text: &str) -> String {
+    let words: Vec<&str> =
+        text.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
+    words.join("-").to_ascii_lowercase()
+}
+
 /// Where the sign stands that makes `line` more than a paragraph: a list, a rule, a table, or a heading of the line above.
 fn block_marker(line: &str) -> Option<usize> {
     if let Some(rest) = line.strip_prefix(['-', '+', '=', ':']) {
@@ -176,6 +184,13 @@ mod tests {
         ] {
             assert_eq!(markdown(text), escaped);
         }
+    }
+
+    #[test]
+    fn anchors_have_letters_digits_and_dashes() {
+        assert_eq!(anchor("Mode of operation (6060h)"), "mode-of-operation-6060h");
+        assert_eq!(anchor(HOSTILE), "a-script-6040");
+        assert_eq!(anchor("\"> 伺服"), "");
     }
 
     #[test]

@@ -18,6 +18,7 @@ pub(super) fn drive<'m>(drive: &'m Drive, lines: &mut Lines<'m>) {
     lines.fact("pdo_entries", drive.limits.pdo_entries.as_ref(), u8::to_string);
     lines.fact("pdo_bytes", drive.limits.pdo_bytes.as_ref(), u16::to_string);
     lines.fact("pdos_per_direction", drive.limits.pdos_per_direction.as_ref(), u8::to_string);
+    lines.own_text("note", drive.note.as_ref());
 }
 
 pub(super) fn manual<'m>(manual: &'m Manual, lines: &mut Lines<'m>) {
@@ -37,6 +38,12 @@ pub(super) fn object<'m>(object: &'m Object, lines: &mut Lines<'m>) {
         lines.said("name", &object.name.value, &object.name.origin);
     }
     lines.said("kind", object.kind.value.word(), &object.kind.origin);
+    lines.own_text("text", object.text.as_ref());
+    lines.own_text("note", object.note.as_ref());
+    lines.own_text("deviation", object.deviation.as_ref());
+    if let Some(also) = &object.also {
+        lines.own("also", also);
+    }
     for each in entries {
         entry(each, lines);
     }

@@ -224,7 +224,7 @@ mod tests {
 manuals = [ { id = "m1", title = "T", version = "1", sha256 = "0000000000000000000000000000000000000000000000000000000000000000", lines = 99 } ]
 objects = [
   { at = "2000:00", name = "Speed", type = "u16", access = "rw", pdo = "rx", min = 0, default = 5, parameter = "P1", effect = "at once", also = "2 L3", src = "1 L2" },
-  { at = "2010", name = "Gains", src = "1 L3" },
+  { at = "2010", name = "Gains", text = "t", note = "n", also = "3 L4", src = "1 L3" },
   { at = "2010:00", name = "Count", type = "u8", access = "ro", default = 2, inferred = ["default: highest sub-index"], src = "1 L3" },
   { at = "2010:01..02", name = "Gain", type = "u8", access = "ro", assumed = ["access: never said"], src = "1 L3" },
 ]
@@ -263,6 +263,7 @@ eds_revision = 0
 date = "2026-01-01"
 pdo_bytes = 8
 pdo_src = "L11"
+note = "d"
 "#;
 
     fn model() -> Model {
@@ -334,6 +335,9 @@ pdo_src = "L11"
         let detection = 5;
         assert_eq!(of("alarm "), 3 + 2 + detection);
         assert_eq!(line(&lines, "object 2000:00", "also").value, "2 L3");
+        let whole = ["text", "note", "also"].map(|field| line(&lines, "object 2010", field).value.as_str());
+        assert_eq!(whole, ["t", "n", "3 L4"]);
+        assert_eq!(line(&lines, "drive", "note").value, "d");
     }
 
     #[test]

@@ -92,6 +92,14 @@ pub struct Object {
     pub kind: Fact<ObjectKind>,
     /// Its entries, ascending by sub-index; never empty.
     pub entries: Vec<EntryId>,
+    /// What it is for as a whole, in our words.
+    pub text: Option<String>,
+    /// A remark for the reader on the object as a whole.
+    pub note: Option<String>,
+    /// Why the object as a whole may differ from the standard one.
+    pub deviation: Option<String>,
+    /// Where the manual prints a row for the object as a whole again.
+    pub also: Option<Cite>,
 }
 
 /// An index and sub-index of the dictionary.

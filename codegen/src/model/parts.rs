@@ -28,6 +28,8 @@ pub struct Drive {
     pub bases: Vec<String>,
     /// What a PDO may hold.
     pub limits: Limits,
+    /// A remark for the reader.
+    pub note: Option<String>,
 }
 
 /// What a PDO may hold, where the manual says so.

@@ -27,6 +27,7 @@ pub(super) fn drive(row: &DriveRow, errata: &[ErratumRow]) -> Drive {
         date: row.date.value.0.clone(),
         bases: row.bases.iter().flat_map(|b| b.value.iter().map(|b| b.0.clone())).collect(),
         limits,
+        note: row.note.as_ref().map(|n| n.value.0.clone()),
     }
 }
 

@@ -125,6 +125,10 @@ fn first_of(entry: &Entry) -> Object {
         name: Fact::new(entry.handle.clone(), origin.clone()),
         kind: Fact::new(ObjectKind::Var, origin),
         entries: Vec::new(),
+        text: None,
+        note: None,
+        deviation: None,
+        also: None,
     }
 }
 
@@ -287,7 +291,13 @@ impl<'a> Resolver<'a, '_> {
         let base = self.base_whole.get(&object.index).copied();
         if let Some(row) = whole {
             self.deviation(Stated { row, range: None, base }, &format!("{:04X}", object.index));
+            object.note = row.note.as_ref().map(|n| n.value.0.clone());
+            object.deviation = row.deviation.as_ref().map(|d| d.value.0.clone());
+            object.also = row.also.as_ref().map(|a| a.value.clone());
         }
+        let texts = [whole, base.map(|b| b.1)];
+        object.text =
+            texts.into_iter().flatten().find_map(|r| r.text.as_ref()).map(|text| text.value.0.clone());
         let pick_name = |row: Option<&'a ObjectRow>| {
             row.and_then(|r| self.pick("name", Stated { row: r, range: None, base }, |r| r.name.as_ref()))
         };

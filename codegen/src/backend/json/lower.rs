@@ -60,6 +60,7 @@ fn drive(model: &Model) -> Drive<'_> {
         pdo_entries: maybe(model, drive.limits.pdo_entries.as_ref(), |n| *n),
         pdo_bytes: maybe(model, drive.limits.pdo_bytes.as_ref(), |n| *n),
         pdos_per_direction: maybe(model, drive.limits.pdos_per_direction.as_ref(), |n| *n),
+        note: drive.note.as_deref(),
     }
 }
 
@@ -90,6 +91,10 @@ fn object<'m>(model: &'m Model, object: &'m model::Object) -> Object<'m> {
         index: object.index,
         name: known(model, object.name.value.original(), &object.name.origin),
         kind: known(model, Word(object.kind.value), &object.kind.origin),
+        text: object.text.as_deref(),
+        note: object.note.as_deref(),
+        deviation: object.deviation.as_deref(),
+        also: object.also.as_ref().map(ToString::to_string),
         entries: object.entries.iter().map(|id| entry(model, &model.entries[*id])).collect(),
     }
 }

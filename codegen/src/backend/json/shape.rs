@@ -90,6 +90,8 @@ shapes! {
         pdo_bytes "pdo_bytes": optional Known<'m, u16>,
         /// Most PDOs of one direction that can be active together.
         pdos_per_direction "pdos_per_direction": optional Known<'m, u8>,
+        /// A remark for the reader.
+        note "note": optional &'m str,
     }
 
     /// What the drive says about itself; a key that is left out is stated by nobody.
@@ -130,6 +132,14 @@ shapes! {
         name "name": required Known<'m, &'m str>,
         /// Variable, array or record.
         kind "kind": required Known<'m, Word<ObjectKind>>,
+        /// What it is for as a whole.
+        text "text": optional &'m str,
+        /// A remark for the reader on the object as a whole.
+        note "note": optional &'m str,
+        /// Why the object as a whole may differ from the standard one.
+        deviation "deviation": optional &'m str,
+        /// Where the manual prints a row for the object as a whole again.
+        also "also": optional String,
         /// Its entries, ascending by sub-index.
         entries "entries": required Vec<Entry<'m>>,
     }

@@ -1,8 +1,9 @@
 //! Doc comments: what a reader of the generated crate wants to know of an entry, with who says so.
 
 use super::values;
+use crate::backend::prose::{self, capital, errata_of, listed, outcome};
 use crate::emit::escape::rust_doc;
-use crate::model::{Address, Cite, Class, Effect, Entry, Erratum, ErratumId, Model, Origin, Value};
+use crate::model::{Address, Cite, Class, Entry, Erratum, Model, Origin, Value};
 use crate::name::Name;
 
 /// Writes `text` as doc comment lines; an empty text is an empty line.
@@ -27,13 +28,7 @@ pub(super) fn entry(entry: &Entry, model: &Model) -> Vec<String> {
 }
 
 fn headline(entry: &Entry) -> String {
-    let mapping = match entry.mapping.as_ref().map(|m| m.value.word()) {
-        None => "mapping not stated",
-        Some("no") => "not mapped",
-        Some("rx") => "RxPDO",
-        Some("tx") => "TxPDO",
-        Some(_) => "RxPDO and TxPDO",
-    };
+    let mapping = prose::mapping(entry.mapping.as_ref().map(|m| m.value));
     let (name, ty, access) =
         (rust_doc(&entry.name.value), entry.ty.value.cia301_name(), entry.access.value.word());
     format!("{name}, `{}`: {ty}, {access}, {mapping}.", entry.address)
@@ -51,14 +46,8 @@ fn count(entry: &Entry, model: &Model) -> Option<String> {
 /// What the panel and the drive's manual call it, and when a new value is used.
 fn parameter(entry: &Entry) -> Option<String> {
     let number = entry.parameter.as_ref().map(|p| format!("Parameter {}.", rust_doc(&p.value)));
-    let effect = entry.effect.as_ref().map(|e| {
-        let when = match e.value {
-            Effect::AtOnce => "at once",
-            Effect::AtStop => "at the next standstill",
-            Effect::PowerCycle => "**only after a power cycle**",
-        };
-        format!("A new value takes effect {when}.")
-    });
+    let effect =
+        entry.effect.as_ref().map(|e| format!("A new value takes effect {}.", prose::effect(e.value)));
     let parts: Vec<String> = [number, effect].into_iter().flatten().collect();
     (!parts.is_empty()).then(|| parts.join(" "))
 }
@@ -107,48 +96,25 @@ fn cited<'o>(facts: &[(&'static str, Option<&'o Origin>)]) -> Vec<String> {
     lines
 }
 
-/// `type, access and mapping`.
-fn listed(words: &[&str]) -> String {
-    match words {
-        [] => String::new(),
-        [one] => (*one).to_owned(),
-        [some @ .., last] => format!("{} and {last}", some.join(", ")),
-    }
-}
-
-/// Errata of its row, and those of other rows, such as one of a range, that its values come from.
+/// Errata that concern it, each a paragraph.
 fn errata(entry: &Entry, model: &Model) -> Vec<String> {
-    let origins = entry.origins();
-    let concerns = |id: ErratumId, e: &Erratum| {
-        e.address == Some(entry.address) || origins.iter().any(|o| o.erratum == Some(id))
-    };
     let line = |e: &Erratum| {
         format!(
             "Erratum {}, {}: printed {}{}. {}",
             rust_doc(&e.id),
             rust_doc(&e.field),
             rust_doc(&e.was),
-            outcome(e),
+            outcome(e, rust_doc),
             rust_doc(&e.why)
         )
     };
-    let lines: Vec<String> =
-        model.errata.iter().filter(|(id, e)| concerns(*id, e)).map(|(_, e)| line(e)).collect();
     // Each stands on its own.
-    lines.into_iter().flat_map(|l| [String::new(), l]).collect()
-}
-
-/// What becomes of a printed value. That it is kept or dropped is not said twice.
-pub(super) fn outcome(erratum: &Erratum) -> String {
-    let outcome = erratum.outcome(rust_doc);
-    let said =
-        matches!(outcome.as_str(), "kept" | "dropped") && erratum.why.to_lowercase().contains(&outcome);
-    if said { String::new() } else { format!(", {outcome}") }
+    errata_of(entry, model).flat_map(|e| [String::new(), line(e)]).collect()
 }
 
 /// What a table is, and where its values or bits are found: `Controlword: bits of 6040:00.`
 pub(super) fn table(name: &Name, what: &str, used: &[Address]) -> String {
-    let name = rust_doc(&values::capital(name.original()));
+    let name = rust_doc(&capital(name.original()));
     let texts: Vec<String> = used.iter().map(ToString::to_string).collect();
     match texts.as_slice() {
         [] => format!("{name}: {what} that no object refers to."),

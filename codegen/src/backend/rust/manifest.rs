@@ -2,13 +2,13 @@
 
 use std::fmt::Write;
 
-use minijinja::{Environment, UndefinedBehavior};
 use serde::Serialize;
 
 use super::Module;
-use super::docs::outcome;
 use super::lower::{Handle, Lowered};
 use crate::backend::eds;
+use crate::backend::prose::outcome;
+use crate::backend::template::render;
 use crate::emit::escape::{markdown, one_line};
 use crate::model::{Address, Model, Sure};
 
@@ -55,14 +55,6 @@ pub(super) fn readme(lowered: &Lowered<'_>) -> String {
     render(include_str!("res/README.md.j2"), &Context { example, ..context(lowered.model) })
 }
 
-fn render(template: &str, context: &Context) -> String {
-    let mut environment = Environment::new();
-    environment.set_undefined_behavior(UndefinedBehavior::Strict);
-    let rendered = environment.render_str(template, minijinja::value::Serde(context));
-    // The templates are part of this crate and tested; what is wrong with one shows in the file.
-    rendered.map_or_else(|error| format!("{error}\n"), |text| text.trim_end().to_owned() + "\n")
-}
-
 const DOUBT: &[(Sure, &str)] = &[
     (Sure::Low, "Doubtful: only the device can settle it"),
     (Sure::Medium, "Likely: confirm it on the device"),
@@ -79,7 +71,7 @@ fn context(model: &Model) -> Context {
             markdown(&e.at),
             e.field,
             markdown(&e.was),
-            outcome(e),
+            outcome(e, markdown),
             markdown(&e.why)
         )
     };
