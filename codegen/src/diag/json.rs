@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::Diagnostic;
+use crate::emit::escape;
 use crate::source::{SourceMap, Span};
 
 /// A finding as JSON has it. The shape is stable: keys are added, never changed.
@@ -39,9 +40,11 @@ struct Related<'a> {
     text: &'a str,
 }
 
-/// One JSON object a line.
+/// One JSON object a line. A message may name what nobody sees: that is an escape in it.
 pub fn lines(findings: &[Diagnostic], sources: &SourceMap) -> String {
-    let line = |d: &Diagnostic| serde_json::to_string(&finding(d, sources)).unwrap_or_default() + "\n";
+    let line = |d: &Diagnostic| {
+        escape::json(&serde_json::to_string(&finding(d, sources)).unwrap_or_default()) + "\n"
+    };
     findings.iter().map(line).collect()
 }
 

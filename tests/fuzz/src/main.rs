@@ -23,7 +23,7 @@ Options:
 /// Inputs from which on a run must have reached much: fewer may have missed it.
 const MANY: u64 = 100_000;
 /// Different codes that many inputs reach at least.
-const CODES: usize = 120;
+const CODES: usize = 90;
 /// One of how many inputs is a sound profile at least.
 const SOUND: u64 = 10;
 /// Memory that the process may need at its peak.
