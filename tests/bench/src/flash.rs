@@ -38,14 +38,21 @@ pub struct Flash {
 }
 
 /// Builds and weighs both.
-pub fn measure(made: &crates::Crate, entries: usize, scratch: &Path, target: &Path) -> Result<Flash, Box<dyn Error>> {
+pub fn measure(
+    made: &crates::Crate,
+    entries: usize,
+    scratch: &Path,
+    target: &Path,
+) -> Result<Flash, Box<dyn Error>> {
     let drive = synthetic::drive(entries);
     let all = drive.objects.iter().flat_map(|o| o.entries.iter().map(move |e| (o.index, e)));
     let used: Vec<(u16, &Entry)> = all.filter(|(_, e)| e.writable && e.table.is_none()).take(USED).collect();
     let depends = format!("{} = {{ path = {:?} }}", made.name, made.folder);
     let size = |name: &str, depends: &str, code: String| -> Result<u64, Box<dyn Error>> {
         let folder = scratch.join(name);
-        let manifest = format!("[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2021\"\n[workspace]\n[profile.release]\npanic = \"abort\"\nopt-level = \"s\"\nlto = true\ncodegen-units = 1\n[dependencies]\n{depends}\n");
+        let manifest = format!(
+            "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2021\"\n[workspace]\n[profile.release]\npanic = \"abort\"\nopt-level = \"s\"\nlto = true\ncodegen-units = 1\n[dependencies]\n{depends}\n"
+        );
         write(&folder.join("Cargo.toml"), manifest.as_bytes())?;
         write(&folder.join("src").join("main.rs"), code.as_bytes())?;
         let mut cargo = Command::new("cargo");
@@ -60,12 +67,21 @@ pub fn measure(made: &crates::Crate, entries: usize, scratch: &Path, target: &Pa
 }
 
 fn by_handles(package: &str, used: &[(u16, &Entry)]) -> String {
-    let mut code = format!("{FRAME}use {}::od;\nfn all() -> Option<i64> {{\n    let (mut out, mut sum) = ([0u8; 4], 0i64);\n", package.replace('-', "_"));
+    let mut code = format!(
+        "{FRAME}use {}::od;\nfn all() -> Option<i64> {{\n    let (mut out, mut sum) = ([0u8; 4], 0i64);\n",
+        package.replace('-', "_")
+    );
     for (index, entry) in used {
-        let handle: String =
-            entry.name.chars().map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' }).collect();
+        let handle: String = entry
+            .name
+            .chars()
+            .map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' })
+            .collect();
         let (ty, sub, bytes) = (primitive(entry), entry.sub, entry.ty.bits / 8);
-        let _ = writeln!(code, "    let n = od::{handle}.encode(black_box(1 as {ty}), &mut out).ok()?;\n    send({index}, {sub}, out.get(..n)?);\n    sum += i64::from(od::{handle}.decode(&receive({index}, {sub})[..{bytes}]).ok()?);");
+        let _ = writeln!(
+            code,
+            "    let n = od::{handle}.encode(black_box(1 as {ty}), &mut out).ok()?;\n    send({index}, {sub}, out.get(..n)?);\n    sum += i64::from(od::{handle}.decode(&receive({index}, {sub})[..{bytes}]).ok()?);"
+        );
     }
     code + "    Some(sum)\n}\n"
 }
@@ -74,7 +90,10 @@ fn by_hand(used: &[(u16, &Entry)]) -> String {
     let mut code = format!("{FRAME}fn all() -> Option<i64> {{\n    let mut sum = 0i64;\n");
     for (index, entry) in used {
         let (ty, sub, bytes) = (primitive(entry), entry.sub, entry.ty.bits / 8);
-        let _ = writeln!(code, "    send({index}, {sub}, &black_box(1 as {ty}).to_le_bytes());\n    let bytes = receive({index}, {sub});\n    sum += i64::from({ty}::from_le_bytes(bytes[..{bytes}].try_into().ok()?));");
+        let _ = writeln!(
+            code,
+            "    send({index}, {sub}, &black_box(1 as {ty}).to_le_bytes());\n    let bytes = receive({index}, {sub});\n    sum += i64::from({ty}::from_le_bytes(bytes[..{bytes}].try_into().ok()?));"
+        );
     }
     code + "    Some(sum)\n}\n"
 }

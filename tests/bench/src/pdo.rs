@@ -45,7 +45,10 @@ fn by_layout(n: i32, answer: &[u8; 13]) -> ([u8; 13], i32) {
     let sum = i32::from(status)
         + i32::from(answer.current_actual_value)
         + i32::from(answer.modes_of_operation_display.0);
-    (command.pack(), answer.position_actual_value.wrapping_add(answer.velocity_actual_value).wrapping_add(sum))
+    (
+        command.pack(),
+        answer.position_actual_value.wrapping_add(answer.velocity_actual_value).wrapping_add(sum),
+    )
 }
 
 fn by_hand(n: i32, answer: &[u8; 13]) -> ([u8; 13], i32) {
@@ -60,7 +63,12 @@ fn by_hand(n: i32, answer: &[u8; 13]) -> ([u8; 13], i32) {
     let velocity = i32::from_le_bytes([answer[6], answer[7], answer[8], answer[9]]);
     let current = i16::from_le_bytes([answer[10], answer[11]]);
     let mode = answer[12] as i8;
-    (out, position.wrapping_add(velocity).wrapping_add(i32::from(status) + i32::from(current) + i32::from(mode)))
+    (
+        out,
+        position
+            .wrapping_add(velocity)
+            .wrapping_add(i32::from(status) + i32::from(current) + i32::from(mode)),
+    )
 }
 
 #[cfg(test)]

@@ -33,8 +33,10 @@ impl Peer {
     /// Feeds it a drive of `entries`; the time is the median of `runs`.
     pub fn make(&self, entries: usize, runs: usize, scratch: &Path) -> Result<Made, Box<dyn Error>> {
         let drive = synthetic::drive(entries);
-        let text = if self.name == "svd2rust" { feed::svd::write(&drive) } else { feed::zencan::write(&drive) };
-        let (input, output) = (scratch.join(format!("{}.in", self.name)), scratch.join(format!("{}.rs", self.name)));
+        let text =
+            if self.name == "svd2rust" { feed::svd::write(&drive) } else { feed::zencan::write(&drive) };
+        let (input, output) =
+            (scratch.join(format!("{}.in", self.name)), scratch.join(format!("{}.rs", self.name)));
         std::fs::write(&input, text)?;
         let run = |runs: usize| {
             child::run(Command::new(&self.program).args([&input, &output]).arg(runs.to_string()))
@@ -47,8 +49,12 @@ impl Peer {
     /// The manifest of a crate that holds what it generates.
     pub fn manifest(&self) -> &'static str {
         match self.name {
-            "svd2rust" => "[package]\nname = \"made-svd2rust\"\nversion = \"0.0.0\"\nedition = \"2021\"\n[workspace]\n[features]\nrt = []\n[dependencies]\nvcell = \"0.1.3\"\n",
-            _ => "[package]\nname = \"made-zencan\"\nversion = \"0.0.0\"\nedition = \"2021\"\n[workspace]\n[dependencies]\nzencan-node = \"0.0.5\"\n",
+            "svd2rust" => {
+                "[package]\nname = \"made-svd2rust\"\nversion = \"0.0.0\"\nedition = \"2021\"\n[workspace]\n[features]\nrt = []\n[dependencies]\nvcell = \"0.1.3\"\n"
+            }
+            _ => {
+                "[package]\nname = \"made-zencan\"\nversion = \"0.0.0\"\nedition = \"2021\"\n[workspace]\n[dependencies]\nzencan-node = \"0.0.5\"\n"
+            }
         }
     }
 }

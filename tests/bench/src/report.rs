@@ -106,8 +106,11 @@ pub fn json(report: &Report) -> Value {
             Unit::Bytes => "bytes",
             Unit::Ratio => "ratio",
         };
-        let peers: serde_json::Map<String, Value> =
-            PEERS.iter().zip(row.peers).filter_map(|(name, n)| Some(((*name).to_owned(), n?.into()))).collect();
+        let peers: serde_json::Map<String, Value> = PEERS
+            .iter()
+            .zip(row.peers)
+            .filter_map(|(name, n)| Some(((*name).to_owned(), n?.into())))
+            .collect();
         json!({ "what": row.what, "unit": unit, "drivewright": row.ours, "budget": row.budget, "within": row.within(), "peers": peers })
     };
     let rows: Vec<Value> = report.rows.iter().map(row).collect();
@@ -156,7 +159,9 @@ mod tests {
         let readme = format!("a\n{BEGIN}\nold\n{END}\nb\n");
         let new = in_readme(&report(), &readme).unwrap();
         assert!(new.starts_with(&format!("a\n{BEGIN}\n")) && new.ends_with(&format!("{END}\nb\n")));
-        assert!(!new.contains("old") && new.contains("| compile | 0.20 s | within 0.30 s | 2.00 s (x10.0) |  |"));
+        assert!(
+            !new.contains("old") && new.contains("| compile | 0.20 s | within 0.30 s | 2.00 s (x10.0) |  |")
+        );
         assert_eq!(in_readme(&report(), &new).unwrap(), new);
         assert_eq!(in_readme(&report(), "no marks"), None);
     }

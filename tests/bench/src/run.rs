@@ -57,7 +57,8 @@ pub fn all(options: &Options, root: &Path) -> Result<Report, Box<dyn Error>> {
 /// Cores and compiler: what a figure means without them, nobody knows.
 fn machine() -> String {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let rustc = child::run(Command::new("rustc").arg("--version")).map_or_else(|_| "rustc".into(), |r| r.text);
+    let rustc =
+        child::run(Command::new("rustc").arg("--version")).map_or_else(|_| "rustc".into(), |r| r.text);
     let rustc = rustc.split(" (").next().unwrap_or_default().trim().to_owned();
     format!("{rustc} on {} {}, {cores} cores", std::env::consts::ARCH, std::env::consts::OS)
 }
@@ -149,7 +150,11 @@ impl Bench<'_> {
         if let Some(times) = self.tried("a debug build script", times) {
             let what = format!("compile {SIZE} entries in a debug build script");
             self.report.rows.push(Row::new(what, Unit::Seconds, times.all).budget(budget::SCRIPT));
-            self.report.rows.push(Row::new("  the same: build(), the Rust file alone", Unit::Seconds, times.build));
+            self.report.rows.push(Row::new(
+                "  the same: build(), the Rust file alone",
+                Unit::Seconds,
+                times.build,
+            ));
         }
     }
 
@@ -162,7 +167,9 @@ impl Bench<'_> {
             let written = crates::single(peer.name, peer.manifest(), &made.code, &self.scratch);
             self.tried(&format!("crate of {}", PEERS[n]), written)
         });
-        for (arguments, budget) in [(&["check"][..], budget::CHECK), (&["build", "--release"], budget::RELEASE)] {
+        for (arguments, budget) in
+            [(&["check"][..], budget::CHECK), (&["build", "--release"], budget::RELEASE)]
+        {
             let name = format!("`cargo {}` of {CRATE} entries", arguments.join(" "));
             eprintln!("{name}");
             let cost = crates::cost(&ours, arguments, self.runs().min(5), &self.target)?;

@@ -25,19 +25,92 @@ pub struct Inputs {
 }
 
 const NUMBERS: &[&str] = &[
-    "0", "-1", "1", "7", "255", "256", "0xFFFF", "65536", "0x7FFFFFFF", "-2147483648", "0xFFFFFFFF",
-    "4294967296", "9223372036854775807", "-9223372036854775808", "18446744073709551616",
-    "170141183460469231731687303715884105727", "-170141183460469231731687303715884105728",
-    "340282366920938463463374607431768211456", "1_000", "0b1", "1e9", "0.5", "nan", "00",
+    "0",
+    "-1",
+    "1",
+    "7",
+    "255",
+    "256",
+    "0xFFFF",
+    "65536",
+    "0x7FFFFFFF",
+    "-2147483648",
+    "0xFFFFFFFF",
+    "4294967296",
+    "9223372036854775807",
+    "-9223372036854775808",
+    "18446744073709551616",
+    "170141183460469231731687303715884105727",
+    "-170141183460469231731687303715884105728",
+    "340282366920938463463374607431768211456",
+    "1_000",
+    "0b1",
+    "1e9",
+    "0.5",
+    "nan",
+    "00",
 ];
 const TEXTS: &[&str] = &[
-    "", " ", "a\\\"]})*/ <script>", "\\u202E", "\\n[6040]\\n", "\\u0000", "../../x", "r#fn", "self", "Self", "_", "é中µ",
-    "]]>", "--", "&amp;", "${x}", "{{ x }}", "{% x %}", "|", "`", "\\\\", "2000:00", "2000:01..FF", "FFFF:FF", "1 L1",
-    "T L99999999999999999999", "0.1 rpm", "1/0 rpm", "2000:00 / 0 == 0", "((((((((((1))))))))))", "- fast until index; latch",
+    "",
+    " ",
+    "a\\\"]})*/ <script>",
+    "\\u202E",
+    "\\n[6040]\\n",
+    "\\u0000",
+    "../../x",
+    "r#fn",
+    "self",
+    "Self",
+    "_",
+    "é中µ",
+    "]]>",
+    "--",
+    "&amp;",
+    "${x}",
+    "{{ x }}",
+    "{% x %}",
+    "|",
+    "`",
+    "\\\\",
+    "2000:00",
+    "2000:01..FF",
+    "FFFF:FF",
+    "1 L1",
+    "T L99999999999999999999",
+    "0.1 rpm",
+    "1/0 rpm",
+    "2000:00 / 0 == 0",
+    "((((((((((1))))))))))",
+    "- fast until index; latch",
 ];
 const FRAGMENTS: &[&str] = &[
-    "<", ">", "<!DOCTYPE a [<!ENTITY b \"c\">]>", "&b;", "<?xml version=\"1.0\"?>", "<![CDATA[", "]]>", "<a>", "</a>", "<objects>",
-    "<row at=\"2000:00\"/>", "\"", "'''", "\"\"\"", "[", "]", "[[", "{", "}", "=", ",", "\n", "#", "\\", "\u{FEFF}", "\u{202E}", "\0",
+    "<",
+    ">",
+    "<!DOCTYPE a [<!ENTITY b \"c\">]>",
+    "&b;",
+    "<?xml version=\"1.0\"?>",
+    "<![CDATA[",
+    "]]>",
+    "<a>",
+    "</a>",
+    "<objects>",
+    "<row at=\"2000:00\"/>",
+    "\"",
+    "'''",
+    "\"\"\"",
+    "[",
+    "]",
+    "[[",
+    "{",
+    "}",
+    "=",
+    ",",
+    "\n",
+    "#",
+    "\\",
+    "\u{FEFF}",
+    "\u{202E}",
+    "\0",
 ];
 
 /// Profiles in XML that are small and hostile.
@@ -57,13 +130,16 @@ impl Inputs {
     /// Reads the seeds of the repository.
     pub fn new() -> Self {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-        let read = |path: &Path| fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+        let read =
+            |path: &Path| fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
         let drive = read(&root.join("golden").join("drive.toml"));
-        let with_drive = |text: &str| if text.contains("[drive]") { text.to_owned() } else { format!("{text}\0{drive}") };
-        let golden = cases::golden_cases().into_iter().map(|case| {
-            case.sources.iter().map(|s| s.text.as_str()).collect::<Vec<_>>().join("\0")
-        });
-        let diagnostics = cases::toml_files(&root.join("diagnostics")).into_iter().map(|s| with_drive(&s.text));
+        let with_drive =
+            |text: &str| if text.contains("[drive]") { text.to_owned() } else { format!("{text}\0{drive}") };
+        let golden = cases::golden_cases()
+            .into_iter()
+            .map(|case| case.sources.iter().map(|s| s.text.as_str()).collect::<Vec<_>>().join("\0"));
+        let diagnostics =
+            cases::toml_files(&root.join("diagnostics")).into_iter().map(|s| with_drive(&s.text));
         let examples = LINTS.iter().flat_map(|lint| lint.page.split("```toml\n").skip(1));
         let examples = examples.filter_map(|e| e.split("```").next()).map(with_drive);
         let xml = XML.iter().map(|x| (*x).to_owned());
@@ -171,7 +247,11 @@ impl Inputs {
 fn real(folder: &Path) -> Vec<String> {
     let files = cases::toml_files(folder);
     let drive = files.iter().find(|f| f.path == "drive.toml").map_or("", |f| f.text.as_str()).to_owned();
-    files.iter().filter(|f| f.path != "drive.toml" && f.text.len() < LONGEST / 2).map(|f| format!("{}\0{drive}", f.text)).collect()
+    files
+        .iter()
+        .filter(|f| f.path != "drive.toml" && f.text.len() < LONGEST / 2)
+        .map(|f| format!("{}\0{drive}", f.text))
+        .collect()
 }
 
 type Range = std::ops::Range<usize>;

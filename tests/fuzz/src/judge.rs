@@ -50,7 +50,8 @@ fn well_formed(text: &str) -> Result<(), String> {
 
 /// No character that moves what stands around it, or that nobody sees.
 fn plain(text: &str) -> Result<(), String> {
-    let hidden = |c: &char| (c.is_control() && !"\n\t\r".contains(*c)) || ('\u{202A}'..='\u{202E}').contains(c);
+    let hidden =
+        |c: &char| (c.is_control() && !"\n\t\r".contains(*c)) || ('\u{202A}'..='\u{202E}').contains(c);
     text.chars().find(hidden).map_or(Ok(()), |c| Err(format!("the character {}", c.escape_unicode())))
 }
 

@@ -96,14 +96,21 @@ fn told(report: &Report, folder: &Path) -> std::io::Result<bool> {
     for failure in &report.failures {
         let path = folder.join(format!("{}-{}", failure.target, failure.number));
         std::fs::write(&path, Inputs::new().get(failure.number))?;
-        println!("FAILED: {}, input {}: {}\n  kept as {}", failure.target, failure.number, failure.why, path.display());
+        println!(
+            "FAILED: {}, input {}: {}\n  kept as {}",
+            failure.target,
+            failure.number,
+            failure.why,
+            path.display()
+        );
     }
     Ok(report.failures.is_empty())
 }
 
 /// A fuzzer that reaches nothing finds nothing.
 fn reached(report: &Report, many: u64, part: bool) -> bool {
-    let codes: std::collections::BTreeSet<&str> = report.counts.iter().flat_map(|c| c.codes.iter().copied()).collect();
+    let codes: std::collections::BTreeSet<&str> =
+        report.counts.iter().flat_map(|c| c.codes.iter().copied()).collect();
     let sound: u64 = report.counts.iter().map(|c| c.sound).sum();
     println!("{} different codes, {sound} sound profiles", codes.len());
     let enough = codes.len() >= CODES && sound >= many / SOUND;

@@ -80,7 +80,8 @@ const IDLE: u64 = u64::MAX;
 
 /// Runs `plan` with `inputs`. A thread ends with its first failure; one that hangs is left behind.
 pub fn run(inputs: Inputs, plan: Plan) -> Report {
-    let counts = plan.targets.iter().map(|(t, _)| Count { name: t.name.clone(), ..Count::default() }).collect();
+    let counts =
+        plan.targets.iter().map(|(t, _)| Count { name: t.name.clone(), ..Count::default() }).collect();
     let turns = plan.targets.iter().enumerate().flat_map(|(n, (_, share))| vec![n; *share]).collect();
     let shared = Arc::new(Shared {
         inputs,
@@ -111,7 +112,11 @@ impl Shared {
     }
 
     fn work(&self, thread: usize) {
-        let mut note = self.plan.notes.as_ref().and_then(|folder| File::create(folder.join(format!("thread-{thread}.txt"))).ok());
+        let mut note = self
+            .plan
+            .notes
+            .as_ref()
+            .and_then(|folder| File::create(folder.join(format!("thread-{thread}.txt"))).ok());
         let mut counts = vec![Count::default(); self.plan.targets.len()];
         loop {
             let number = self.next.fetch_add(1, Ordering::Relaxed);
@@ -119,7 +124,8 @@ impl Shared {
                 break;
             }
             // Without the note an overflow of the stack is still an overflow, only harder to find.
-            let _ = note.as_mut().map(|f| f.seek(SeekFrom::Start(0)).and_then(|_| writeln!(f, "{number:020}")));
+            let _ =
+                note.as_mut().map(|f| f.seek(SeekFrom::Start(0)).and_then(|_| writeln!(f, "{number:020}")));
             self.at[thread].1.store(self.now(), Ordering::Relaxed);
             self.at[thread].0.store(number, Ordering::Release);
             let place = self.target(number);

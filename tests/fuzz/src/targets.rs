@@ -41,7 +41,8 @@ pub fn targets() -> Vec<Target> {
 pub fn sources(bytes: &[u8]) -> Vec<Source> {
     let file = |(n, part): (usize, &[u8])| {
         let text = String::from_utf8_lossy(part).into_owned();
-        let end = if text.trim_start_matches('\u{FEFF}').trim_start().starts_with('<') { "xml" } else { "toml" };
+        let end =
+            if text.trim_start_matches('\u{FEFF}').trim_start().starts_with('<') { "xml" } else { "toml" };
         Source { path: format!("f{n}.{end}"), text }
     };
     bytes.split(|b| *b == 0).take(limits::FILES).enumerate().map(file).collect()

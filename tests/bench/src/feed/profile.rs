@@ -30,8 +30,9 @@ date = "2026-01-01"
 pub fn write(drive: &Drive) -> Vec<Source> {
     let many = drive.objects.len().div_ceil(FILES).max(100);
     let objects = drive.objects.chunks(many).enumerate();
-    let mut files: Vec<Source> =
-        objects.map(|(n, chunk)| source(&format!("objects-{n:02}.toml"), &table("objects", chunk, object))).collect();
+    let mut files: Vec<Source> = objects
+        .map(|(n, chunk)| source(&format!("objects-{n:02}.toml"), &table("objects", chunk, object)))
+        .collect();
     files.push(source("drive.toml", DRIVE));
     files.push(source("enums.toml", &table("enums", &drive.tables, values)));
     let alarms: Vec<usize> = (1..=drive.alarms).collect();
@@ -53,7 +54,10 @@ fn table<T>(name: &str, rows: &[T], write: impl Fn(&mut String, &T)) -> String {
 fn object(text: &mut String, object: &Object) {
     let Object { index, name, entries } = object;
     if entries.len() > 1 {
-        let _ = writeln!(text, "  {{ at = \"{index:04X}\", name = \"{name}\", kind = \"record\", src = \"6 L{index}\" }},");
+        let _ = writeln!(
+            text,
+            "  {{ at = \"{index:04X}\", name = \"{name}\", kind = \"record\", src = \"6 L{index}\" }},"
+        );
     }
     entries.iter().for_each(|e| entry(text, *index, e));
 }
@@ -61,10 +65,15 @@ fn object(text: &mut String, object: &Object) {
 fn entry(text: &mut String, index: u16, entry: &Entry) {
     let Entry { sub, name, ty, .. } = entry;
     let (sign, access) = (if ty.signed { 'i' } else { 'u' }, if entry.writable { "rw" } else { "ro" });
-    let _ = write!(text, "  {{ at = \"{index:04X}:{sub:02X}\", name = \"{name}\", type = \"{sign}{}\", access = \"{access}\"", ty.bits);
+    let _ = write!(
+        text,
+        "  {{ at = \"{index:04X}:{sub:02X}\", name = \"{name}\", type = \"{sign}{}\", access = \"{access}\"",
+        ty.bits
+    );
     let _ = write!(text, ", pdo = \"{}\"", direction(entry).unwrap_or("no"));
     let _ = entry.unit.map(|unit| write!(text, ", unit = \"{unit}\""));
-    let _ = entry.range.map(|[min, max, first]| write!(text, ", min = {min}, max = {max}, default = {first}"));
+    let _ =
+        entry.range.map(|[min, max, first]| write!(text, ", min = {min}, max = {max}, default = {first}"));
     let _ = entry.table.map(|n| write!(text, ", values = \"table {n}\""));
     let _ = entry.text.as_ref().map(|words| write!(text, ", text = \"{words}\""));
     let _ = writeln!(text, ", src = \"6 L{index}\" }},");
@@ -76,7 +85,11 @@ fn direction(entry: &Entry) -> Option<&'static str> {
 
 fn values(text: &mut String, table: &Table) {
     for (value, label) in table.labels.iter().enumerate() {
-        let _ = writeln!(text, "  {{ name = \"{}\", value = {value}, label = \"{label}\", src = \"7 L70\" }},", table.name);
+        let _ = writeln!(
+            text,
+            "  {{ name = \"{}\", value = {value}, label = \"{label}\", src = \"7 L70\" }},",
+            table.name
+        );
     }
 }
 

@@ -32,7 +32,10 @@ fn register(text: &mut String, index: u16, place: u32, entry: &Entry, tables: &[
         text.push_str("<enumeratedValues>");
         for (value, label) in table.labels.iter().enumerate() {
             let name = label.replace(' ', "_");
-            let _ = write!(text, "<enumeratedValue><name>{name}</name><description>{label}</description><value>{value}</value></enumeratedValue>");
+            let _ = write!(
+                text,
+                "<enumeratedValue><name>{name}</name><description>{label}</description><value>{value}</value></enumeratedValue>"
+            );
         }
         text.push_str("</enumeratedValues>");
     }

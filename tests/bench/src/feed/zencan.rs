@@ -24,7 +24,11 @@ fn object(text: &mut String, object: &Object) {
         [_, members @ ..] => {
             text.push_str("object_type = \"record\"\n");
             for member in members {
-                let _ = write!(text, "[[objects.subs]]\nsub_index = {}\nparameter_name = \"{}\"\n", member.sub, member.name);
+                let _ = write!(
+                    text,
+                    "[[objects.subs]]\nsub_index = {}\nparameter_name = \"{}\"\n",
+                    member.sub, member.name
+                );
                 keys(text, member);
             }
         }
@@ -37,5 +41,9 @@ fn keys(text: &mut String, entry: &Entry) {
     let (access, pdo) = if entry.writable { ("rw", "rpdo") } else { ("ro", "tpdo") };
     let pdo = if entry.mapped { pdo } else { "none" };
     let first = entry.range.map_or(0, |[_, _, first]| first);
-    let _ = write!(text, "data_type = \"{sign}{}\"\naccess_type = \"{access}\"\npdo_mapping = \"{pdo}\"\ndefault_value = {first}\n", entry.ty.bits);
+    let _ = write!(
+        text,
+        "data_type = \"{sign}{}\"\naccess_type = \"{access}\"\npdo_mapping = \"{pdo}\"\ndefault_value = {first}\n",
+        entry.ty.bits
+    );
 }
