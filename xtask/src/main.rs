@@ -1,4 +1,4 @@
-//! The project's own commands: `cargo xtask regen`, `cargo xtask test`, `cargo xtask tidy`.
+//! The project's own commands: `cargo xtask regen`, `test`, `tidy`, `bench`, `fuzz`.
 //!
 //! Exit codes: 0 fine, 1 findings, 2 usage, 3 the disk refused.
 
@@ -13,6 +13,7 @@ mod regen;
 mod snapshots;
 mod test;
 mod tidy;
+mod tools;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -29,6 +30,9 @@ Commands:
   test               run everything and say what was skipped, and why
     --full           add the slow parts
   tidy               check what no other tool knows
+  bench              measure beside other compilers and budgets; `bench --help` has its options
+  fuzz               feed the compiler a million inputs of a stable generator
+  fuzz TARGET        the same with libFuzzer; what follows are its options
 
 Options:
       --root DIR     work on another checkout
@@ -41,6 +45,8 @@ Examples:
   cargo xtask regen
   cargo xtask regen --check sdv3-e
   cargo xtask test --full
+  cargo xtask bench --quick
+  cargo xtask fuzz parse_profile -max_total_time=60
 ";
 
 /// What the command line asks for.
@@ -52,6 +58,8 @@ pub struct Options {
     quiet: bool,
     root: Option<PathBuf>,
     drives: Vec<String>,
+    /// What `bench` and `fuzz` pass on.
+    rest: Vec<std::ffi::OsString>,
 }
 
 /// How a command ends.
@@ -84,6 +92,8 @@ fn run(command: &str, options: &Options) -> End {
         "regen" => regen::run(&root, options),
         "test" => test::run(&root, options),
         "tidy" => tidy::run(&root, options),
+        "bench" => tools::bench(&root, options),
+        "fuzz" => tools::fuzz(&root, options),
         other => {
             eprintln!("error: there is no command `{other}`\n\n{HELP}");
             End::Usage
@@ -107,7 +117,13 @@ fn parse() -> Result<Option<(String, Options)>, lexopt::Error> {
             Long("diff") => options.diff = true,
             Long("full") => options.full = true,
             Long("root") => options.root = Some(args.value()?.into()),
-            Value(value) if command.is_none() => command = Some(value.string()?),
+            Value(value) if command.is_none() => {
+                let name = value.string()?;
+                if ["bench", "fuzz"].contains(&name.as_str()) {
+                    options.rest = args.raw_args()?.collect();
+                }
+                command = Some(name);
+            }
             Value(value) => options.drives.push(value.string()?),
             other => return Err(other.unexpected()),
         }

@@ -67,6 +67,11 @@ const COMMANDS: &[Run] = &[
     ("example: format", "cargo", &["fmt", "--check"], EXAMPLE),
     ("example: clippy", "cargo", &["clippy", "--all-targets", "--quiet", "--", "-D", "warnings"], EXAMPLE),
     ("example: tests", "cargo", &["test", "--quiet"], EXAMPLE),
+    ("fuzzer: format", "cargo", &["fmt", "--check"], "tests/fuzz"),
+    ("fuzzer: a million inputs", "cargo", &["xtask", "fuzz"], "."),
+    ("fuzzer: tests", "cargo", &["test", "--release", "--quiet", "--target-dir", "../../target/fuzz"], "tests/fuzz"),
+    ("bench: format", "cargo", &["fmt", "--check"], "tests/bench"),
+    ("bench: tests", "cargo", &["test", "--release", "--quiet", "--target-dir", "../../target/bench"], "tests/bench"),
     ("documentation", "cargo", &["doc", "--workspace", "--no-deps", "--quiet"], "."),
     ("tidy", "cargo", &["xtask", "tidy"], "."),
 ];

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::Diagnostic;
+use crate::emit::escape;
 use crate::source::SourceMap;
 
 /// One command a line. `folder` is the profile's folder from the repository's root, so that annotations find the file.
@@ -39,7 +40,7 @@ pub fn commands(findings: &[Diagnostic], sources: &SourceMap, folder: &str) -> S
 }
 
 fn data(text: &str) -> String {
-    text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")
+    escape::visible(text).replace('%', "%25").replace('\n', "%0A")
 }
 
 fn property(text: &str) -> String {

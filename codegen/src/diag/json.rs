@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::Diagnostic;
+use crate::emit::escape;
 use crate::source::{SourceMap, Span};
 
 /// A finding as JSON has it. The shape is stable: keys are added, never changed.
@@ -42,10 +43,12 @@ struct Related<'a> {
     text: &'a str,
 }
 
-/// One JSON object a line. `folder` is the profile's, from which paths go on; it is left out where it is empty.
+/// One JSON object a line. `folder` is the profile's, from which paths go on; it is left out where it is empty. A message
+/// may name what nobody sees: that is an escape in it.
 pub fn lines(findings: &[Diagnostic], sources: &SourceMap, folder: &str) -> String {
-    let line =
-        |d: &Diagnostic| serde_json::to_string(&finding(d, sources, folder)).unwrap_or_default() + "\n";
+    let text = |d: &Diagnostic| serde_json::to_string(&finding(d, sources, folder)).unwrap_or_default();
+    let line = |d: &Diagnostic| escape::json(&text(d)) + "
+";
     findings.iter().map(line).collect()
 }
 

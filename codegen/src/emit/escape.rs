@@ -1,5 +1,7 @@
 //! One escaping function for each output language. Text of a profile reaches an output through these and no other way.
 
+use std::fmt::Write;
+
 /// A character that could hide or reorder what a reader sees: controls, format characters such as bidi marks and tags, and
 /// all that fonts draw as nothing. These are the general category Cf and the property `Default_Ignorable_Code_Point` of
 /// Unicode, and the two separators of lines and paragraphs.
@@ -51,6 +53,33 @@ pub fn plain_line(text: &str) -> String {
         }
     }
     out
+}
+
+/// Text for a person to read, of one line or several: hidden characters but line feeds as `\u{202e}`. Not to be read back.
+pub fn visible(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        if is_hidden(c) && c != '\n' { out.extend(c.escape_unicode()) } else { out.push(c) }
+    }
+    out
+}
+
+/// A JSON text in which strings hold hidden characters: the same with those as escapes.
+pub fn json(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    text.chars().for_each(|c| json_char(&mut out, c));
+    out
+}
+
+/// A character inside a JSON string that `serde_json` has quoted; a hidden one becomes an escape.
+pub fn json_char(out: &mut String, c: char) {
+    if !is_hidden(c) {
+        return out.push(c);
+    }
+    for unit in c.encode_utf16(&mut [0; 2]) {
+        // Writing to a String cannot fail.
+        let _ = write!(out, "\\u{unit:04x}");
+    }
 }
 
 /// Text inside a Rust string literal, without the quotes.
@@ -144,6 +173,15 @@ mod tests {
     use super::*;
 
     const HOSTILE: &str = "a\"]})*/ <script>\u{202E}\n[6040]\0#}`";
+
+    #[test]
+    fn json_escapes_what_nobody_sees() {
+        // Beyond the basic plane an escape is two.
+        let text = "\"a\u{202E}b\u{110BD}\"";
+        assert_eq!(json(text), r#""a\u202eb\ud804\udcbd""#);
+        assert_eq!(serde_json::from_str::<String>(&json(text)).unwrap(), "a\u{202E}b\u{110BD}");
+        assert_eq!(visible("a\u{202E}\nb\\"), "a\\u{202e}\nb\\");
+    }
 
     #[test]
     fn ini_stays_on_one_line() {

@@ -67,19 +67,24 @@ pub struct Cite {
 
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let manual = self.manual.clone();
-        let section = self.section.clone();
-        let table = self.table.as_ref().map(|t| format!("T{t}"));
-        let lines = self.lines.iter().map(|l| format!("L{l}"));
-        let parts: Vec<String> = manual.into_iter().chain(section).chain(table).chain(lines).collect();
-        f.write_str(&parts.join(" "))
+        let mut first = true;
+        let mut part = |sign: &str, text: &dyn fmt::Display| {
+            let blank = if std::mem::take(&mut first) { "" } else { " " };
+            write!(f, "{blank}{sign}{text}")
+        };
+        self.manual.iter().try_for_each(|m| part("", m))?;
+        self.section.iter().try_for_each(|s| part("", s))?;
+        self.table.iter().try_for_each(|t| part("T", t))?;
+        self.lines.iter().try_for_each(|l| part("L", l))
     }
 }
 
 impl fmt::Display for Cite {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let places: Vec<String> = self.places.iter().map(ToString::to_string).collect();
-        f.write_str(&places.join(", "))
+        self.places.iter().enumerate().try_for_each(|(n, place)| {
+            let comma = if n == 0 { "" } else { ", " };
+            write!(f, "{comma}{place}")
+        })
     }
 }
 

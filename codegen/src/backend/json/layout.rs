@@ -1,9 +1,7 @@
 //! Breaks JSON text into lines that a person can read and compare: a fact is one line, and so is every list or object
 //! without another one in it.
 
-use std::fmt::Write;
-
-use crate::emit::escape::is_hidden;
+use crate::emit::escape::json_char;
 
 /// The compact JSON `text` in lines, with a line feed at its end. Hidden characters become escapes.
 pub(super) fn lines(text: &str) -> String {
@@ -12,7 +10,7 @@ pub(super) fn lines(text: &str) -> String {
     let mut escaped = false;
     for (at, c) in text.char_indices() {
         if in_string {
-            printer.text(c);
+            json_char(&mut printer.out, c);
             in_string = escaped || c != '"';
             escaped = c == '\\' && !escaped;
         } else {
@@ -31,16 +29,6 @@ struct Printer {
 }
 
 impl Printer {
-    fn text(&mut self, c: char) {
-        if is_hidden(c) {
-            // Every hidden character is of the basic plane.
-            // Writing to a String cannot fail.
-            let _ = write!(self.out, "\\u{:04x}", u32::from(c));
-        } else {
-            self.out.push(c);
-        }
-    }
-
     /// A character outside strings; `rest` begins with it.
     fn mark(&mut self, c: char, rest: &str) {
         match c {

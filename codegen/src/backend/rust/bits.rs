@@ -4,10 +4,10 @@ use std::fmt::Write;
 
 use super::docs::{self, comment};
 use super::enums::source;
-use super::lower::Lowered;
+use super::lower::{Lowered, users};
 use super::names::{Scope, ident};
 use crate::emit::escape::rust_doc;
-use crate::model::{Address, BitField, BitsDef, Entry};
+use crate::model::{BitField, BitsDef};
 use crate::name::Case;
 
 pub(super) fn body(lowered: &Lowered<'_>) -> String {
@@ -15,11 +15,10 @@ pub(super) fn body(lowered: &Lowered<'_>) -> String {
     if !lowered.model.bits.is_empty() {
         out.push_str("use drivewright_runtime::prelude::*;\n");
     }
+    let users = users(lowered.model, |e| e.bits.as_ref());
     for ((id, table), meaning) in lowered.model.bits.iter().zip(&lowered.bits) {
-        let names_them = |e: &&Entry| e.bits.as_ref().is_some_and(|b| b.value == id);
-        let used: Vec<Address> =
-            lowered.model.entries.as_slice().iter().filter(names_them).map(|e| e.address).collect();
-        let doc = comment("    ", &[docs::table(&table.name, "bits", &used)]);
+        let used = users.get(&id).map_or(&[][..], Vec::as_slice);
+        let doc = comment("    ", &[docs::table(&table.name, "bits", used)]);
         let _ = write!(out, "\nbit_field! {{\n{doc}    pub struct {}({}) {{\n", meaning.name, meaning.repr);
         fields(&mut out, table);
         out.push_str("    }\n}\n");

@@ -3,7 +3,7 @@
 use super::values;
 use crate::backend::prose::{self, capital, errata_of, listed, outcome};
 use crate::emit::escape::rust_doc;
-use crate::model::{Address, Cite, Class, Entry, Erratum, Model, Origin, Value};
+use crate::model::{Cite, Class, Entry, Erratum, Model, Origin, Value};
 use crate::name::Name;
 
 /// Writes `text` as doc comment lines; an empty text is an empty line.
@@ -113,9 +113,9 @@ fn errata(entry: &Entry, model: &Model) -> Vec<String> {
 }
 
 /// What a table is, and where its values or bits are found: `Controlword: bits of 6040:00.`
-pub(super) fn table(name: &Name, what: &str, used: &[Address]) -> String {
+pub(super) fn table(name: &Name, what: &str, used: &[&Entry]) -> String {
     let name = rust_doc(&capital(name.original()));
-    let texts: Vec<String> = used.iter().map(ToString::to_string).collect();
+    let texts: Vec<String> = used.iter().map(|e| e.address.to_string()).collect();
     match texts.as_slice() {
         [] => format!("{name}: {what} that no object refers to."),
         few if few.len() < 7 => {

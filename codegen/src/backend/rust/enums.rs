@@ -3,11 +3,11 @@
 use std::fmt::Write;
 
 use super::docs::{self, comment};
-use super::lower::Lowered;
+use super::lower::{Lowered, users};
 use super::names::{Scope, ident};
 use super::number::grouped;
 use crate::emit::escape::{one_line, rust_doc, rust_str};
-use crate::model::{Address, Entry, EnumDef, EnumId, EnumValue, Model, Origin};
+use crate::model::{Entry, EnumDef, EnumValue, Origin};
 use crate::name::Case;
 
 pub(super) fn body(lowered: &Lowered<'_>) -> String {
@@ -15,24 +15,19 @@ pub(super) fn body(lowered: &Lowered<'_>) -> String {
     if !lowered.model.enums.is_empty() {
         out.push_str("use drivewright_runtime::prelude::*;\n");
     }
+    let users = users(lowered.model, |e| e.values.as_ref());
     for ((id, table), meaning) in lowered.model.enums.iter().zip(&lowered.enums) {
         let title = one_line(table.name.original());
-        let all: Vec<Address> = users(id, lowered.model).map(|e| e.address).collect();
-        let doc = comment("    ", &[docs::table(&table.name, "values", &all)]);
+        let used = users.get(&id).map_or(&[][..], Vec::as_slice);
+        let doc = comment("    ", &[docs::table(&table.name, "values", used)]);
         let _ = write!(out, "\nwire_enum! {{\n{doc}");
         let _ =
             writeln!(out, "    pub struct {}({}) = \"{}\" {{", meaning.name, meaning.repr, rust_str(&title));
-        let written: Vec<&Entry> = users(id, lowered.model).filter(|e| e.access.value.writes()).collect();
+        let written: Vec<&Entry> = used.iter().copied().filter(|e| e.access.value.writes()).collect();
         values(&mut out, table, &written);
         out.push_str("    }\n}\n");
     }
     out
-}
-
-/// The entries that hold values of a table.
-fn users(table: EnumId, model: &Model) -> impl Iterator<Item = &Entry> {
-    let uses = move |e: &&Entry| e.values.as_ref().is_some_and(|v| v.value == table);
-    model.entries.as_slice().iter().filter(uses)
 }
 
 fn values(out: &mut String, table: &EnumDef, written: &[&Entry]) {

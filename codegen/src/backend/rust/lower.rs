@@ -124,6 +124,20 @@ impl<'m> Lowered<'m> {
     }
 }
 
+/// The entries that refer to each table, in the order of the model.
+pub(super) fn users<'m, I: Id + Ord>(
+    model: &'m Model,
+    table: impl Fn(&Entry) -> Option<&Fact<I>>,
+) -> BTreeMap<I, Vec<&'m Entry>> {
+    let mut users: BTreeMap<I, Vec<&Entry>> = BTreeMap::new();
+    for entry in model.entries.as_slice() {
+        if let Some(table) = table(entry) {
+            users.entry(table.value).or_default().push(entry);
+        }
+    }
+    users
+}
+
 /// The name of each table, and the width of the first entry that uses it.
 fn meanings<'m, I: Id + PartialEq>(
     model: &'m Model,
