@@ -24,7 +24,7 @@ pub(crate) fn tables(json: &Value, lines: &mut Lines) {
 
 fn drive(drive: &Value, lines: &mut Lines) {
     lines.own("drive", drive, &["id", "package", "vendor", "name", "crate_version"]);
-    lines.own("drive", drive, &["eds_version", "eds_revision", "date"]);
+    lines.own("drive", drive, &["eds_version", "eds_revision", "date", "note"]);
     lines.facts("drive", drive, &["pdo_entries", "pdo_bytes", "pdos_per_direction"]);
     if !list(&drive["bases"]).is_empty() {
         lines.put("drive", "bases", &Value::Null, &joined(&drive["bases"]));
@@ -42,6 +42,7 @@ fn object(object: &Value, lines: &mut Lines) {
         lines.fact(&key, "name", &object["name"]);
     }
     lines.fact(&key, "kind", &object["kind"]);
+    lines.own(&key, object, &["text", "note", "deviation", "also"]);
     each(&object["entries"], |row| entry(row, lines));
 }
 
