@@ -18,6 +18,7 @@ Options:
       --from N     number of the first (default 0)
       --only NAME  one target
       --print N    print input N and end
+      --corpus DIR  write the first thousand inputs to a folder and end
 ";
 
 /// Inputs from which on a run must have reached much: fewer may have missed it.
@@ -51,6 +52,7 @@ fn start() -> Result<bool, Box<dyn Error>> {
             Long("from") => from = args.value()?.parse()?,
             Long("only") => only = Some(args.value()?.string()?),
             Long("print") => return print(args.value()?.parse()?),
+            Long("corpus") => return corpus(Path::new(&args.value()?)),
             other => return Err(other.unexpected().into()),
         }
     }
@@ -84,6 +86,15 @@ fn folder() -> std::io::Result<PathBuf> {
 fn print(number: u64) -> Result<bool, Box<dyn Error>> {
     use std::io::Write;
     std::io::stdout().write_all(&Inputs::new().get(number))?;
+    Ok(true)
+}
+
+/// What libFuzzer begins with.
+fn corpus(folder: &Path) -> Result<bool, Box<dyn Error>> {
+    let inputs = Inputs::new();
+    for number in 0..1_000 {
+        std::fs::write(folder.join(number.to_string()), inputs.get(number))?;
+    }
     Ok(true)
 }
 
