@@ -1,6 +1,7 @@
 //! Output formats. A new one is a folder here and a line in [`ALL`].
 
 pub mod eds;
+pub mod ethercat;
 pub mod json;
 pub mod map;
 pub mod rust;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use super::loss::list;
 use super::lower::Sheet;
-use super::write::{granularity, identity};
+use super::write::granularity;
 use crate::model::{Address, Class, Entry, Fact, Model};
 
 const TIMES: &str = "Creation and modification carry the date of the last change of the facts, and 12:00AM for a time of \
@@ -25,7 +25,7 @@ pub(super) fn sentences(model: &Model, sheet: &Sheet) -> Vec<String> {
         n => format!("Granularity is {n}, since mappings can be written, and nobody states how finely."),
     });
     let keys = ["VendorNumber", "ProductNumber", "RevisionNumber"];
-    let unknown = keys.into_iter().zip(identity(model)).filter(|(_, value)| value.is_none());
+    let unknown = keys.into_iter().zip(model.identity()).filter(|(_, value)| value.is_none());
     text.extend(unknown.map(|(key, _)| format!("{key} is 0, since object 1018h has no such default.")));
     text.extend([(COUNTED, &sheet.counted), (UNMAPPED, &sheet.unmapped)].into_iter().filter_map(named));
     text.extend(of_entries(model));

@@ -5,7 +5,7 @@ use std::fmt::Display;
 use super::lower::{Keys, List, Section, Sheet, drive_text};
 use super::value;
 use crate::emit::escape;
-use crate::model::{Access, Address, Model, ObjectKind, Type};
+use crate::model::{Access, Model, ObjectKind, Type};
 
 /// Lines that end with CR/LF. No value can end its line, so none can open a section.
 #[derive(Default)]
@@ -84,7 +84,7 @@ fn american(date: &str) -> String {
 }
 
 fn device_info(model: &Model, sheet: &Sheet, ini: &mut Ini) {
-    let [vendor, product, revision] = identity(model);
+    let [vendor, product, revision, _] = model.identity();
     let pdos =
         |first: u16| sheet.objects.iter().filter(|o| (first..first + 0x200).contains(&o.index)).count();
     ini.section("DeviceInfo");
@@ -103,11 +103,6 @@ fn device_info(model: &Model, sheet: &Sheet, ini: &mut Ini) {
     ini.key("NrOfRXPDO", pdos(0x1600));
     ini.key("NrOfTXPDO", pdos(0x1A00));
     ini.keys(&["LSS_Supported"], 0);
-}
-
-/// Vendor, product and revision as the identity object states them: the one source of the drive's identity.
-pub(super) fn identity(model: &Model) -> [Option<u32>; 3] {
-    [1, 2, 3].map(|sub| u32::try_from(model.default_int(Address::new(0x1018, sub))?).ok())
 }
 
 /// How finely process data can be mapped: by bytes where a mapping can be written, else 0 for not at all.

@@ -3,6 +3,7 @@
 mod behaviour;
 mod dictionary;
 mod drive;
+mod ethercat;
 mod reading;
 
 use std::collections::BTreeSet;
@@ -16,6 +17,7 @@ use crate::raw::RawTable;
 pub use behaviour::*;
 pub use dictionary::*;
 pub use drive::*;
+pub use ethercat::*;
 pub use reading::*;
 
 tables! {
@@ -32,8 +34,12 @@ tables! {
     commands: CommandRow,
     aborts: AbortRow,
     io: TerminalRow,
+    ethercat: EtherCatRow,
     sync_managers: SyncManagerRow,
     fmmus: FmmuRow,
+    coe: CoeRow,
+    dc_modes: DcModeRow,
+    startup: StartUpRow,
     emcy: EmcyRow,
     rules: RuleRow,
     examples: ExampleRow,
