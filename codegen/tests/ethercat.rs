@@ -73,7 +73,7 @@ fn what_nobody_states_follows_rules_and_is_listed() {
     ] {
         assert!(assumed.iter().any(|a| a == line), "{line}: {assumed:#?}");
     }
-    assert!(!assumed.iter().any(|a| a.starts_with("vendor id") || a.starts_with("FMMU")), "{assumed:#?}");
+    assert!(!assumed.iter().any(|a| a.starts_with("Vendor id") || a.starts_with("FMMU")), "{assumed:#?}");
 }
 
 #[test]

@@ -1,10 +1,14 @@
 //! Output formats. A new one is a folder here and a line in [`ALL`].
 
+mod assumed;
 pub mod eds;
+pub mod esi;
 pub mod ethercat;
 pub mod json;
+mod losses;
 pub mod map;
 pub mod rust;
+mod unique;
 
 use crate::diag::{Code, Sink};
 use crate::emit::FileSet;
@@ -24,7 +28,7 @@ pub trait Backend: Sync {
 }
 
 /// Every backend, in the order of output.
-pub const ALL: &[&dyn Backend] = &[&rust::Rust, &eds::Eds, &json::Json, &map::Map];
+pub const ALL: &[&dyn Backend] = &[&rust::Rust, &eds::Eds, &esi::Esi, &json::Json, &map::Map];
 
 #[cfg(test)]
 mod tests {

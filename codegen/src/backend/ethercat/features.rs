@@ -10,7 +10,7 @@ const PROTOCOL: &str = "the drive has an object dictionary and a mailbox, and Co
 const NO_FEATURE: &str = "nobody states it, and no claims nothing";
 const BY_ACCESS: &str = "whether 1C12h or 1C13h, 1600h or 1A00h and their like can be written";
 const ACTIVATE: &str = "the cyclic unit with SYNC0 is 0300h, with SYNC1 as well 0700h, free run 0000h";
-const CYCLE: &str = "the cycle of the master";
+const CYCLE: &str = "nobody states another cycle";
 const SHIFT: &str = "no shift unless somebody states one";
 const CONFIG: &str = "how the slave controller is wired in the drive is not printed; zeros serve a virtual drive, and \
     must not be written to a real one";
@@ -34,7 +34,7 @@ pub(super) fn mailbox(
     managers: &[Manager],
     assumed: &mut Assumptions,
 ) -> Vec<MailboxProtocol> {
-    let mut coe = || assumed.take("mailbox", vec![MailboxProtocol::Coe], "CoE", PROTOCOL);
+    let mut coe = || assumed.take("Mailbox", vec![MailboxProtocol::Coe], "CoE", PROTOCOL);
     match model.ethercat.mailbox.as_ref() {
         Some(stated) => stated.value.clone(),
         None if managers.iter().any(Manager::is_mailbox) => coe(),
@@ -109,13 +109,13 @@ pub(super) fn config(model: &Model, assumed: &mut Assumptions) -> [u16; 7] {
 
 pub(super) fn bootstrap(model: &Model, assumed: &mut Assumptions) -> [u16; 4] {
     let stated = model.ethercat.bootstrap.as_ref();
-    stated.map_or_else(|| assumed.take("mailbox of Bootstrap", [0; 4], "0", BOOTSTRAP), |fact| fact.value)
+    stated.map_or_else(|| assumed.take("Mailbox of Bootstrap", [0; 4], "0", BOOTSTRAP), |fact| fact.value)
 }
 
 pub(super) fn eeprom_bytes(model: &Model, assumed: &mut Assumptions) -> u32 {
     let stated = model.ethercat.eeprom_bytes.as_ref();
     stated.map_or_else(
-        || assumed.take("bytes of the EEPROM", EEPROM_BYTES, EEPROM_BYTES, EEPROM),
+        || assumed.take("Bytes of the EEPROM", EEPROM_BYTES, EEPROM_BYTES, EEPROM),
         |fact| fact.value,
     )
 }

@@ -35,6 +35,19 @@ impl Assumptions {
         self.0.iter()
     }
 
+    /// One sentence for each reason, with all that it explains.
+    pub fn sentences(&self) -> Vec<String> {
+        let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
+        for Assumed { what, value, reason } in &self.0 {
+            let said = format!("{what}: {value}");
+            match reasons.iter_mut().find(|(other, _)| other == reason) {
+                Some((_, list)) => list.push(said),
+                None => reasons.push((reason, vec![said])),
+            }
+        }
+        reasons.into_iter().map(|(reason, list)| format!("{} ({reason}).", list.join("; "))).collect()
+    }
+
     /// Notes a value and gives it.
     fn take<T>(&mut self, what: impl Into<String>, value: T, shown: impl Display, reason: &'static str) -> T {
         self.0.push(Assumed { what: what.into(), value: shown.to_string(), reason });
@@ -138,14 +151,14 @@ fn device(model: &Model) -> Device<'_> {
     Device {
         identity,
         product_type: features::text(
-            "product type",
+            "Type",
             whole.product_type.as_ref(),
             &model.drive.name,
             features::TYPE,
             &mut assumed,
         ),
-        group: features::text("product group", whole.group.as_ref(), "Drives", features::GROUP, &mut assumed),
-        physics: features::text("ports", whole.physics.as_ref(), "YY", features::PHYSICS, &mut assumed),
+        group: features::text("Group", whole.group.as_ref(), "Drives", features::GROUP, &mut assumed),
+        physics: features::text("Ports", whole.physics.as_ref(), "YY", features::PHYSICS, &mut assumed),
         revision_check: whole.revision_check.as_ref().map(|r| r.value),
         fmmus: managers::fmmus(model, &managers, &mut assumed),
         mailbox: features::mailbox(model, &managers, &mut assumed),
@@ -162,7 +175,7 @@ fn device(model: &Model) -> Device<'_> {
 
 /// The identity object is the one source of the drive's identity.
 fn identity(model: &Model, assumed: &mut Assumptions) -> [u32; 4] {
-    const NAMES: [&str; 4] = ["vendor id", "product code", "revision", "serial number"];
+    const NAMES: [&str; 4] = ["Vendor id", "Product code", "Revision", "Serial number"];
     const REASON: &str = "object 1018h has no such default, and 0 claims nothing";
     let mut known = model.identity().into_iter().zip(NAMES);
     [(); 4].map(|()| match known.next() {

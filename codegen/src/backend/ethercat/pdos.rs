@@ -46,7 +46,7 @@ fn assignment(model: &Model, object: u16, direction: Direction, assumed: &mut As
     }
     let first = model.pdos.iter().find(|pdo| pdo.direction == direction).map(|pdo| pdo.index);
     let named = |index: u16| {
-        assumed.take(format!("active {direction}PDO", direction = name(direction)), index, hex(index), FIRST)
+        assumed.take(format!("Active {direction}PDO", direction = name(direction)), index, hex(index), FIRST)
     };
     first.map(named).into_iter().collect()
 }
