@@ -9,6 +9,7 @@
 pub mod cases;
 pub mod drives;
 pub mod random;
+pub mod esi;
 
 use std::fs::OpenOptions;
 use std::io::Write;

@@ -3,9 +3,9 @@
 //! Everything installed is pinned by hash. Without Python, its module venv or a network, the judges are skipped and the
 //! reason is said; a package whose hash is wrong is a failure.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::{env, fs};
 
 use crate::Options;
 use crate::outcome::Outcome;
@@ -13,6 +13,8 @@ use crate::outside;
 
 /// Judges of an EDS: name of the script, and whether it also takes `model.json`.
 const OF_EDS: &[(&str, bool)] = &[("eds_canopen", true), ("eds_dcfchk", false)];
+/// Names the folder with the schemas of ETG.2000: a folder a version, each with an `EtherCATInfo.xsd`.
+const SCHEMAS: &str = "ETG_XSD_DIR";
 /// What pip installs, in this order, and with which options. The first builds what of the second comes as source.
 const PACKAGES: &[(&str, &[&str])] = &[("build.txt", &[]), ("requirements.txt", &["--no-build-isolation"])];
 /// What pip says when it cannot reach an index.
@@ -48,7 +50,25 @@ pub fn run(root: &Path, options: &Options, step: &mut dyn FnMut(&str, &mut dyn F
         Ok(python) => ask(python, &judges.join("configurations.py"), root, false, quiet),
         Err(why) => Outcome::Skipped(why.clone()),
     });
-    let files = data_sheets(root);
+    step("ESI of golden cases", &mut || match &python {
+        Ok(python) => ask(python, &judges.join("esi_model.py"), root, false, quiet),
+        Err(why) => Outcome::Skipped(why.clone()),
+    });
+    step("schemas of ETG.2000", &mut || match &python {
+        Ok(_) if env::var_os(SCHEMAS).is_none() => {
+            Outcome::Skipped(format!("{SCHEMAS} does not name a folder with the schemas, which are not ours"))
+        }
+        Ok(python) => ask(python, &judges.join("esi_schema.py"), root, false, quiet),
+        Err(why) => Outcome::Skipped(why.clone()),
+    });
+    for file in files_of(root, "esi", "xml") {
+        let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        step(&format!("esi_model {name}"), &mut || match &python {
+            Ok(python) => ask(python, &judges.join("esi_model.py"), &file, true, quiet),
+            Err(why) => Outcome::Skipped(why.clone()),
+        });
+    }
+    let files = files_of(root, "eds", "eds");
     if files.is_empty() {
         step("judges of EDS", &mut || Outcome::Skipped("there is no EDS below generated/".to_owned()));
     }
@@ -63,17 +83,17 @@ pub fn run(root: &Path, options: &Options, step: &mut dyn FnMut(&str, &mut dyn F
     }
 }
 
-/// Every `generated/<package>/eds/*.eds`, in path order.
-fn data_sheets(root: &Path) -> Vec<PathBuf> {
+/// Every `generated/<package>/<folder>/*.<extension>`, in path order.
+fn files_of(root: &Path, folder: &str, extension: &str) -> Vec<PathBuf> {
     let list = |folder: &Path| -> Vec<PathBuf> {
         let entries = fs::read_dir(folder).into_iter().flatten().flatten();
         entries.map(|entry| entry.path()).collect()
     };
-    let sheets = list(&root.join("generated")).into_iter().flat_map(|package| list(&package.join("eds")));
-    let mut sheets: Vec<PathBuf> =
-        sheets.filter(|file| file.extension().is_some_and(|e| e == "eds")).collect();
-    sheets.sort();
-    sheets
+    let files = list(&root.join("generated")).into_iter().flat_map(|package| list(&package.join(folder)));
+    let mut files: Vec<PathBuf> =
+        files.filter(|file| file.extension().is_some_and(|e| e == extension)).collect();
+    files.sort();
+    files
 }
 
 /// Asks one judge about one file; it prints its findings and what its negative controls saw.

@@ -1,5 +1,6 @@
-//! Evidence for homing, modes, states, commands, abort codes, terminals, the EtherCAT side, rules, examples and limits.
+//! Evidence for homing, modes, states, commands, abort codes, terminals, rules, examples and limits.
 
+use super::ethercat;
 use super::page::Line;
 use super::words::{Row, Words, holds_number, holds_word, names_parameter, same};
 use crate::facts::{FactLine, Table};
@@ -13,7 +14,7 @@ pub(super) fn anchors(words: &Words<'_>, row: &Row<'_>, line: &Line) -> bool {
         Table::States | Table::Commands => line.cells.iter().any(|c| same(c, id)),
         Table::Aborts => line.cells.iter().any(|c| c.eq_ignore_ascii_case(id)),
         Table::Terminals => holds_word(text, id),
-        Table::EtherCat => device_shown(words, row, text),
+        Table::EtherCat => ethercat::anchors(words, row, text),
         Table::Emcy => emcy_column(row, line).is_some(),
         Table::Examples => row.facts.iter().any(|f| example_shown(&f.field, &f.value, text)),
         // Prose: whether a line has to do with it is for readers.
@@ -37,7 +38,7 @@ pub(super) fn shows(words: &Words<'_>, row: &Row<'_>, fact: &FactLine<'_>, line:
         }),
         Table::Commands => command_shown(field, value, line),
         Table::Terminals => terminal_shown(field, value, line),
-        Table::EtherCat => device_shown(words, row, text),
+        Table::EtherCat => ethercat::shows(words, row, field, value, text),
         Table::Emcy => emcy_shown(words, row, field, value, line),
         Table::Examples => example_shown(field, value, text),
         _ => false,
@@ -60,6 +61,7 @@ pub(super) fn proves_whole(
         }
         (Table::Examples, field) => Some(example_shown(field, &fact.value, &all())),
         (Table::Homing, "when" | "moves" | "abort" | "mask") => Some(false),
+        (Table::EtherCat, field) => ethercat::proves_whole(field, &fact.value, &all()),
         (Table::Emcy, _) => Some(lines.iter().any(|l| shows(words, row, fact, l))),
         _ => None,
     }
@@ -153,15 +155,6 @@ fn terminal_shown(field: &str, value: &str, line: &Line) -> bool {
     }
 }
 
-/// `SM0:Mailbox output`, `FMMU1:Process data input area`.
-fn device_shown(words: &Words<'_>, row: &Row<'_>, text: &str) -> bool {
-    let (word, number) = row.key.rsplit_once(' ').unwrap_or_default();
-    let prefix = if word == "fmmu" { "FMMU" } else { "SM" };
-    let Some(value) = row.value("use") else { return false };
-    let field = if word == "fmmu" { "fmmu" } else { "sync-manager" };
-    words.printed_for(field, value).any(|printed| text.contains(&format!("{prefix}{number}:{printed}")))
-}
-
 /// The cell of the row's byte in the line that names the bytes' content.
 fn emcy_column<'l>(row: &Row<'_>, line: &'l Line) -> Option<(usize, &'l str)> {
     let byte: usize = row.id().parse().ok()?;
@@ -208,7 +201,7 @@ fn constant_shown(word: &str, text: &str) -> bool {
 }
 
 /// Nanoseconds as a manual prints them.
-fn time_shown(text: &str, ns: i128) -> bool {
+pub(super) fn time_shown(text: &str, ns: i128) -> bool {
     let unit = |per: i128, unit: &str| {
         ns % per == 0
             && [format!("{}{unit}", ns / per), format!("{} {unit}", ns / per)]
@@ -218,7 +211,7 @@ fn time_shown(text: &str, ns: i128) -> bool {
     unit(1_000, "us") || unit(1_000_000, "ms")
 }
 
-fn example_shown(field: &str, value: &str, text: &str) -> bool {
+pub(super) fn example_shown(field: &str, value: &str, text: &str) -> bool {
     let number = || match value.strip_prefix("0x") {
         Some(hex) => i128::from_str_radix(hex, 16).ok(),
         None => value.parse().ok(),

@@ -8,6 +8,7 @@
 mod behaviour;
 mod contradictions;
 mod dictionary;
+mod ethercat;
 mod evidence;
 mod number;
 mod page;

@@ -1,12 +1,17 @@
 //! Output formats. A new one is a folder here and a line in [`ALL`].
 
 pub mod docs;
+mod assumed;
 pub mod eds;
+pub mod esi;
+pub mod ethercat;
 pub mod json;
+mod losses;
 pub mod map;
 mod prose;
 pub mod rust;
 mod template;
+mod unique;
 
 use crate::diag::{Code, Sink};
 use crate::emit::FileSet;
@@ -26,7 +31,7 @@ pub trait Backend: Sync {
 }
 
 /// Every backend, in the order of output.
-pub const ALL: &[&dyn Backend] = &[&rust::Rust, &eds::Eds, &json::Json, &map::Map, &docs::Docs];
+pub const ALL: &[&dyn Backend] = &[&rust::Rust, &eds::Eds, &esi::Esi, &json::Json, &map::Map, &docs::Docs];
 
 #[cfg(test)]
 mod tests {

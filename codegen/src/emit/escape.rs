@@ -168,6 +168,43 @@ pub fn ini(text: &str) -> String {
     ascii.trim_start_matches([' ', '"', '\'']).trim_end().to_owned()
 }
 
+/// Text or the value of an attribute in XML 1.0: one line of characters that XML can hold, in which none has a meaning of its
+/// own.
+pub fn xml(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in one_line(text).chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&apos;"),
+            c => out.push(if is_in_xml(c) { c } else { char::REPLACEMENT_CHARACTER }),
+        }
+    }
+    out
+}
+
+/// Text inside an XML comment: one line without the two dashes that would end it. Nothing else has a meaning there.
+pub fn xml_comment(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in one_line(text).chars() {
+        if c == '-' && out.ends_with('-') {
+            out.push(' ');
+        }
+        out.push(if is_in_xml(c) { c } else { char::REPLACEMENT_CHARACTER });
+    }
+    if out.ends_with('-') {
+        out.push(' ');
+    }
+    out
+}
+
+/// Whether XML 1.0 can hold a character that is not hidden.
+fn is_in_xml(c: char) -> bool {
+    !matches!(c, '\u{FFFE}' | '\u{FFFF}')
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -188,6 +225,18 @@ mod tests {
         let out = ini(HOSTILE);
         assert!(!out.contains('\n') && out.is_ascii() && !out.contains('\0'));
         assert_eq!(ini("\"Motor\" #1; C:\\x µm"), "Motor\" No.1, C:/x um");
+    }
+
+    #[test]
+    fn xml_holds_no_markup() {
+        assert_eq!(xml("a < b & \"c\"\u{FFFF}"), "a &lt; b &amp; &quot;c&quot;\u{FFFD}");
+        let out = xml(HOSTILE);
+        assert!(!out.contains(['<', '>', '"', '\n', '\0', '\u{202E}']), "{out}");
+        for text in ["a--b", "--->", "-", "- -", HOSTILE] {
+            let out = format!("<!--{}-->", xml_comment(text));
+            assert_eq!(out.matches("--").count(), 2, "{out}");
+            assert!(out.ends_with("-->") && !out.ends_with("--->"), "{out}");
+        }
     }
 
     #[test]

@@ -2,5 +2,7 @@
 
 pub mod escape;
 pub mod file_set;
+mod wrap;
 
 pub use file_set::{AddError, FileSet, PathError, RelPath};
+pub use wrap::wrap;

@@ -1,9 +1,8 @@
-//! Facts of homing, modes, states, the EtherCAT side, terminals, rules, examples, and the errata.
+//! Facts of homing, modes, states, terminals, rules, examples, and the errata.
 
 use super::{Lines, Table, words};
 use crate::model::{
-    Abort, Address, Command, EmcyPart, Erratum, Example, Fmmu, HomingMethod, Mode, Rule, State, SyncManager,
-    Terminal,
+    Abort, Address, Command, EmcyPart, Erratum, Example, HomingMethod, Mode, Rule, State, Terminal,
 };
 
 pub(super) fn homing<'m>(method: &'m HomingMethod, lines: &mut Lines<'m>) {
@@ -65,16 +64,6 @@ pub(super) fn terminal<'m>(terminal: &'m Terminal, lines: &mut Lines<'m>) {
     lines.fact("parameter", terminal.parameter.as_ref(), Clone::clone);
     lines.own_text("text", terminal.text.as_ref());
     lines.own_text("note", terminal.note.as_ref());
-}
-
-pub(super) fn sync_manager<'m>(manager: &'m SyncManager, lines: &mut Lines<'m>) {
-    lines.row(Table::EtherCat, format!("sync manager {}", manager.number));
-    lines.said("use", manager.carries.value.word(), &manager.carries.origin);
-}
-
-pub(super) fn fmmu<'m>(fmmu: &'m Fmmu, lines: &mut Lines<'m>) {
-    lines.row(Table::EtherCat, format!("fmmu {}", fmmu.number));
-    lines.said("use", fmmu.maps.value.word(), &fmmu.maps.origin);
 }
 
 pub(super) fn emcy<'m>(part: &'m EmcyPart, lines: &mut Lines<'m>) {

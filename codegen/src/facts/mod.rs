@@ -5,6 +5,7 @@
 
 mod behaviour;
 mod dictionary;
+mod ethercat;
 
 use std::borrow::Cow;
 
@@ -40,7 +41,7 @@ pub enum Table {
     Aborts,
     /// Terminals.
     Terminals,
-    /// SyncManagers and FMMUs.
+    /// The EtherCAT side: SyncManagers, FMMUs, CoE, synchronization, start-up.
     EtherCat,
     /// The emergency message.
     Emcy,
@@ -128,8 +129,12 @@ pub fn facts(model: &Model) -> Vec<FactLine<'_>> {
     model.commands.iter().for_each(|c| behaviour::command(c, &mut lines));
     model.aborts.iter().for_each(|a| behaviour::abort(a, &mut lines));
     model.terminals.iter().for_each(|t| behaviour::terminal(t, &mut lines));
-    model.sync_managers.iter().for_each(|s| behaviour::sync_manager(s, &mut lines));
-    model.fmmus.iter().for_each(|f| behaviour::fmmu(f, &mut lines));
+    ethercat::ethercat(&model.ethercat, &mut lines);
+    model.sync_managers.iter().for_each(|s| ethercat::sync_manager(s, &mut lines));
+    model.fmmus.iter().for_each(|f| ethercat::fmmu(f, &mut lines));
+    model.coe.iter().for_each(|c| ethercat::coe(c, &mut lines));
+    model.dc_modes.iter().for_each(|d| ethercat::dc_mode(d, &mut lines));
+    model.startup.iter().for_each(|s| ethercat::startup(s, &mut lines));
     model.emcy.iter().for_each(|e| behaviour::emcy(e, &mut lines));
     model.rules.iter().for_each(|r| behaviour::rule(r, &mut lines));
     model.examples.iter().for_each(|e| behaviour::example(e, &mut lines));
@@ -242,8 +247,12 @@ states = [ { name = "Fault", mask = 0x4F, value = 0x08, src = "L16" } ]
 commands = [ { name = "Reset", mask = 0x80, value = 0x80, edge = true, transitions = [15], src = "L17" } ]
 aborts = [ { code = 0x06020000, name = "No such object", src = "L18" } ]
 io = [ { terminal = "DI1", kind = "input", pin = 1, object = "2000:00", bit = 2, parameter = "P1", src = "L19" } ]
-sync_managers = [ { number = 0, use = "mailbox out", src = "L20" } ]
+ethercat = [ { type = "X1-E", group = "Drives", physics = "YY", revision_check = "equal", mailbox = ["coe"], config = [1, 2, 3, 4, 5, 6, 7], bootstrap = [1, 2, 3, 4], eeprom_bytes = 2048, src = "L20" } ]
+sync_managers = [ { number = 0, use = "mailbox out", start = 0x1000, size = 128, min_size = 34, max_size = 128, control = 0x26, enable = true, src = "L20" } ]
 fmmus = [ { number = 0, use = "outputs", src = "L21" } ]
+coe = [ { feature = "pdo upload", supported = false, src = "L21" } ]
+dc_modes = [ { number = 1, name = "DC", sync = "sync0", assign_activate = 0x300, cycle0 = 1, shift0 = -2, cycle1 = 3, shift1 = -4, text = "t", src = "L21" } ]
+startup = [ { number = 1, transition = "PS", write = "2000:00", value = 1, text = "t", src = "L21" } ]
 emcy = [ { byte = 0, bytes = 2, holds = "error code", src = "L22" }, { byte = 2, bytes = 6, holds = "reserved", src = "L22" } ]
 rules = [ { id = "R1", text = "r", require = "2000:00 > 0", when = "2010:01 == 1", on = "dc", src = "L23" } ]
 examples = [
@@ -330,7 +339,9 @@ note = "d"
         let columns = 5;
         assert_eq!((of("homing 1"), of("homing 2")), (1 + columns + 4 + 2, 1 + 1));
         assert_eq!((of("mode "), of("state "), of("command "), of("abort ")), (2, 2, 4, 1));
-        assert_eq!((of("terminal "), of("sync manager "), of("fmmu "), of("emcy ")), (5, 1, 1, 2 * 2));
+        assert_eq!((of("terminal "), of("sync manager "), of("fmmu "), of("emcy ")), (5, 7, 1, 2 * 2));
+        assert_eq!((of("ethercat"), of("coe "), of("dc mode "), of("startup ")), (8, 1, 7, 3));
+        assert_eq!(line(&lines, "ethercat", "bootstrap").value, "0x0001 0x0002 0x0003 0x0004");
         assert_eq!((of("rule "), of("example ")), (4, 7));
         let detection = 5;
         assert_eq!(of("alarm "), 3 + 2 + detection);

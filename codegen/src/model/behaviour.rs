@@ -1,12 +1,9 @@
-//! How the drive behaves, besides its dictionary: modes, states, rules, its EtherCAT side and its terminals.
+//! How the drive behaves, besides its dictionary: modes, states, rules and terminals.
 
 use std::collections::BTreeSet;
 use std::fmt;
 
-use super::{
-    Address, EmcyContent, EsmAfter, EsmState, Expr, Fact, FmmuUse, Led, Occasion, SyncManagerUse, SyncMode,
-    TerminalKind,
-};
+use super::{Address, EmcyContent, EsmAfter, EsmState, Expr, Fact, Led, Occasion, SyncMode, TerminalKind};
 use crate::name::Name;
 
 /// How an alarm shows on EtherCAT, where the manual says so.
@@ -91,24 +88,6 @@ pub struct Terminal {
     pub text: Option<String>,
     /// A remark for the reader.
     pub note: Option<String>,
-}
-
-/// A SyncManager.
-#[derive(Clone, PartialEq, Debug)]
-pub struct SyncManager {
-    /// Its number.
-    pub number: u8,
-    /// What it carries.
-    pub carries: Fact<SyncManagerUse>,
-}
-
-/// A fieldbus memory management unit.
-#[derive(Clone, PartialEq, Debug)]
-pub struct Fmmu {
-    /// Its number.
-    pub number: u8,
-    /// What it maps.
-    pub maps: Fact<FmmuUse>,
 }
 
 /// Bytes of the emergency message.

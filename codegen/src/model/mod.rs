@@ -4,6 +4,7 @@
 //! emitted by every backend.
 
 mod behaviour;
+mod ethercat;
 mod expr;
 mod fact;
 mod homing;
@@ -14,9 +15,8 @@ mod unit;
 mod visit;
 mod word;
 
-pub use behaviour::{
-    Abort, Command, Detection, EmcyPart, Entries, Example, Fmmu, Mode, Rule, State, SyncManager, Terminal,
-};
+pub use behaviour::{Abort, Command, Detection, EmcyPart, Entries, Example, Mode, Rule, State, Terminal};
+pub use ethercat::{Coe, DcMode, EtherCat, Fmmu, StartUp, SyncManager};
 pub use expr::{Expr, OPERATORS, Op, Term};
 pub use fact::{Cite, Class, Fact, Origin, Place};
 pub use homing::{Event, HomingCase, HomingMethod, Level, Moves, Pace, Step, When};
@@ -28,9 +28,9 @@ pub use ty::Type;
 pub use unit::{CountsError, Quantity, Unit, UnitError};
 pub use visit::RowOrigins;
 pub use word::{
-    Access, Direction, Edge, Effect, EmcyContent, EsmAfter, EsmState, FmmuUse, HomingSignal, HomingStart,
-    HomingStatus, Led, ObjectKind, Occasion, Reset, Side, Signal, Sure, SyncManagerUse, SyncMode,
-    TerminalKind, Worded,
+    Access, CoeFeature, DcSync, Direction, Edge, Effect, EmcyContent, EsmAfter, EsmState, FmmuUse,
+    HomingSignal, HomingStart, HomingStatus, Led, MailboxProtocol, ObjectKind, Occasion, Reset,
+    RevisionCheck, Side, Signal, Sure, SyncManagerUse, SyncMode, TerminalKind, Transition, Worded,
 };
 
 use crate::name::Name;
@@ -67,10 +67,18 @@ pub struct Model {
     pub aborts: Vec<Abort>,
     /// Terminals, in the order of the manual.
     pub terminals: Vec<Terminal>,
+    /// The EtherCAT side as a whole.
+    pub ethercat: EtherCat,
     /// SyncManagers, by number.
     pub sync_managers: Vec<SyncManager>,
     /// FMMUs, by number.
     pub fmmus: Vec<Fmmu>,
+    /// What CoE can and cannot do, in the order of [`CoeFeature`].
+    pub coe: Vec<Coe>,
+    /// Ways to synchronize, the first by default.
+    pub dc_modes: Vec<DcMode>,
+    /// What a master must write at start-up, in order.
+    pub startup: Vec<StartUp>,
     /// The emergency message, by byte.
     pub emcy: Vec<EmcyPart>,
     /// Rules between values, by id.
@@ -247,6 +255,11 @@ impl Model {
     pub fn object(&self, index: u16) -> Option<&Object> {
         let at = self.objects.as_slice().binary_search_by_key(&index, |o| o.index).ok()?;
         Some(&self.objects[ObjectId::at(at)])
+    }
+
+    /// Vendor, product, revision and serial number as the identity object states them: the one source of the drive's identity.
+    pub fn identity(&self) -> [Option<u32>; 4] {
+        [1, 2, 3, 4].map(|sub| u32::try_from(self.default_int(Address::new(0x1018, sub))?).ok())
     }
 
     /// The integer default of the entry at `address`, where one is known.

@@ -105,11 +105,6 @@ fn behaviour(model: &Model) -> impl Iterator<Item = (String, Vec<Option<&Origin>
         ];
         (format!("terminal {}", t.name), facts)
     });
-    let managers = model
-        .sync_managers
-        .iter()
-        .map(|s| (format!("sync manager {}", s.number), vec![Some(&s.carries.origin)]));
-    let fmmus = model.fmmus.iter().map(|f| (format!("fmmu {}", f.number), vec![Some(&f.maps.origin)]));
     let emcy = model
         .emcy
         .iter()
@@ -135,11 +130,60 @@ fn behaviour(model: &Model) -> impl Iterator<Item = (String, Vec<Option<&Origin>
         .chain(commands)
         .chain(aborts)
         .chain(terminals)
-        .chain(managers)
-        .chain(fmmus)
+        .chain(ethercat(model))
         .chain(emcy)
         .chain(rules)
         .chain(examples)
+}
+
+fn ethercat(model: &Model) -> Vec<(String, Vec<Option<&Origin>>)> {
+    let whole = &model.ethercat;
+    let mut rows = vec![(
+        "ethercat".to_owned(),
+        vec![
+            origin(whole.product_type.as_ref()),
+            origin(whole.group.as_ref()),
+            origin(whole.physics.as_ref()),
+            origin(whole.revision_check.as_ref()),
+            origin(whole.mailbox.as_ref()),
+            origin(whole.config.as_ref()),
+            origin(whole.bootstrap.as_ref()),
+            origin(whole.eeprom_bytes.as_ref()),
+        ],
+    )];
+    rows.extend(model.sync_managers.iter().map(|s| {
+        let facts = vec![
+            Some(&s.carries.origin),
+            origin(s.start.as_ref()),
+            origin(s.size.as_ref()),
+            origin(s.min_size.as_ref()),
+            origin(s.max_size.as_ref()),
+            origin(s.control.as_ref()),
+            origin(s.enable.as_ref()),
+        ];
+        (format!("sync manager {}", s.number), facts)
+    }));
+    rows.extend(model.fmmus.iter().map(|f| (format!("fmmu {}", f.number), vec![Some(&f.maps.origin)])));
+    rows.extend(
+        model.coe.iter().map(|c| (format!("coe {}", c.feature.word()), vec![Some(&c.supported.origin)])),
+    );
+    rows.extend(model.dc_modes.iter().map(|d| {
+        let facts = vec![
+            Some(&d.name.origin),
+            Some(&d.sync.origin),
+            origin(d.assign_activate.as_ref()),
+            origin(d.cycle0.as_ref()),
+            origin(d.shift0.as_ref()),
+            origin(d.cycle1.as_ref()),
+            origin(d.shift1.as_ref()),
+        ];
+        (format!("dc mode {}", d.number), facts)
+    }));
+    rows.extend(model.startup.iter().map(|s| {
+        let facts = [&s.transition.origin, &s.write.origin, &s.value.origin];
+        (format!("startup {}", s.number), facts.map(Some).to_vec())
+    }));
+    rows
 }
 
 fn origin<T>(fact: Option<&Fact<T>>) -> Option<&Origin> {

@@ -192,6 +192,82 @@ worded! {
         MailboxStatus = "mailbox status",
     }
 
+    /// A protocol of the EtherCAT mailbox.
+    MailboxProtocol {
+        /// ADS over EtherCAT.
+        Aoe = "aoe",
+        /// Ethernet over EtherCAT.
+        Eoe = "eoe",
+        /// CANopen over EtherCAT.
+        Coe = "coe",
+        /// File access over EtherCAT.
+        Foe = "foe",
+        /// SERCOS over EtherCAT.
+        Soe = "soe",
+        /// A protocol of the maker's over EtherCAT.
+        Voe = "voe",
+    }
+
+    /// What CoE can do beyond reading and writing one entry.
+    CoeFeature {
+        /// The list of objects, their names, types and access can be read.
+        SdoInformation = "sdo information",
+        /// Which PDOs are active can be written: 1C12h, 1C13h.
+        PdoAssignment = "pdo assignment",
+        /// What a PDO carries can be written: 1600h, 1A00h.
+        PdoConfiguration = "pdo configuration",
+        /// The master can read assignment and mapping instead of knowing them.
+        PdoUpload = "pdo upload",
+        /// All entries of an object in one transfer.
+        CompleteAccess = "complete access",
+        /// Values that are longer than the mailbox, in segments.
+        SegmentedSdo = "segmented sdo",
+    }
+
+    /// What the drive is synchronized by.
+    DcSync {
+        /// By nothing, or by the arrival of process data.
+        FreeRun = "free run",
+        /// By SYNC0 of the distributed clock.
+        Sync0 = "sync0",
+        /// By SYNC0 and SYNC1 of the distributed clock.
+        Sync0And1 = "sync0 sync1",
+    }
+
+    /// A change between states of the EtherCAT state machine.
+    Transition {
+        /// Init to Pre-Operational.
+        InitToPreOp = "IP",
+        /// Pre-Operational to Safe-Operational.
+        PreOpToSafeOp = "PS",
+        /// Safe-Operational to Operational.
+        SafeOpToOp = "SO",
+        /// Safe-Operational to Pre-Operational.
+        SafeOpToPreOp = "SP",
+        /// Operational to Pre-Operational.
+        OpToPreOp = "OP",
+        /// Operational to Safe-Operational.
+        OpToSafeOp = "OS",
+    }
+
+    /// Which revisions of a device a device file holds for. The low word counts what is compatible, the high word what is not.
+    RevisionCheck {
+        /// Every one.
+        Any = "any",
+        /// This one.
+        Equal = "equal",
+        /// This one and higher ones.
+        EqualOrHigher = "equal or higher",
+        /// Those with this low word.
+        LowEqual = "low equal",
+        /// Those with this low word and this or a higher high word.
+        LowEqualHighOrHigher = "low equal, high equal or higher",
+        /// Those with this high word.
+        HighEqual = "high equal",
+        /// Those with this high word and this or a higher low word.
+        HighEqualLowOrHigher = "high equal, low equal or higher",
+    }
+
     /// Whether a drive has a homing method.
     HomingStatus {
         /// It has it.

@@ -1,18 +1,15 @@
-//! Modes, states, commands, abort codes, terminals, the EtherCAT side, rules and examples: tables that nothing else refers
-//! to. Each is sorted by its key; of two rows with one key the second is reported.
+//! Modes, states, commands, abort codes, terminals, rules and examples: tables that nothing else refers to. Each is sorted by its key; of two rows with one key the second is reported.
 
 use super::objects::check_reasons;
 use super::origin::Says;
 use crate::diag::{Diagnostic, Sink, code};
 use crate::merge::Profile;
 use crate::model::{
-    Abort, Address, Cite, Command, EmcyPart, Entries, Example, Fact, Fmmu, Mode, Model, Rule, State,
-    SyncManager, Terminal,
+    Abort, Address, Cite, Command, EmcyPart, Entries, Example, Fact, Mode, Model, Rule, State, Terminal,
 };
 use crate::rows::address::Sub;
 use crate::rows::tables::{
-    AbortRow, CommandRow, EmcyRow, ErratumRow, ExampleRow, FmmuRow, ModeRow, RuleRow, StateRow,
-    SyncManagerRow, TerminalRow,
+    AbortRow, CommandRow, EmcyRow, ErratumRow, ExampleRow, ModeRow, RuleRow, StateRow, TerminalRow,
 };
 use crate::rows::value::{Reason, Text};
 use crate::rows::{Meta, Row, Rows};
@@ -27,9 +24,7 @@ pub(super) fn fill(model: &mut Model, profile: &Profile, sink: &mut Sink) {
     model.commands = printed(&rows.commands, |r| r.src.as_ref(), sink).map(|r| command(r, errata)).collect();
     model.aborts = sorted(&rows.aborts, |r| r.code.value, sink).map(|r| abort(r, errata)).collect();
     model.terminals = printed(&rows.io, |r| r.src.as_ref(), sink).map(|r| terminal(r, errata)).collect();
-    model.sync_managers =
-        sorted(&rows.sync_managers, |r| r.number.value, sink).map(|r| sync_manager(r, errata)).collect();
-    model.fmmus = sorted(&rows.fmmus, |r| r.number.value, sink).map(|r| fmmu(r, errata)).collect();
+    super::ethercat::fill(model, profile, sink);
     model.emcy = sorted(&rows.emcy, |r| r.byte.value, sink).map(|r| emcy(r, errata)).collect();
     model.rules = sorted(&rows.rules, |r| r.id.value.clone(), sink).map(|r| rule(r, errata)).collect();
     let key = |r: &ExampleRow| (r.id.value.clone(), r.step.map(|s| s.value));
@@ -81,12 +76,12 @@ fn once<'a, R: Row>(rows: Vec<&'a R>, sink: &mut Sink) -> impl Iterator<Item = &
     out.into_iter()
 }
 
-fn plain<'a>(meta: &'a Meta, src: Option<&'a Sp<Cite>>, errata: &'a [ErratumRow]) -> Says<'a> {
+pub(super) fn plain<'a>(meta: &'a Meta, src: Option<&'a Sp<Cite>>, errata: &'a [ErratumRow]) -> Says<'a> {
     Says::plain(meta, src, errata)
 }
 
 /// A row with inferred fields.
-fn reasoned<'a>(
+pub(super) fn reasoned<'a>(
     meta: &'a Meta,
     src: Option<&'a Sp<Cite>>,
     inferred: Option<&'a Sp<Vec<Reason>>>,
@@ -95,12 +90,12 @@ fn reasoned<'a>(
     Says { inferred: inferred.map_or(&[], |i| &i.value), ..Says::plain(meta, src, errata) }
 }
 
-fn text(text: Option<&Sp<Text>>) -> Option<String> {
+pub(super) fn text(text: Option<&Sp<Text>>) -> Option<String> {
     text.map(|t| t.value.0.clone())
 }
 
 /// The fact of a key that may be left out, as `convert` has it.
-fn maybe<T: Clone, U>(
+pub(super) fn maybe<T: Clone, U>(
     says: &Says<'_>,
     key: &str,
     value: Option<&Sp<T>>,
@@ -158,16 +153,6 @@ fn terminal(row: &TerminalRow, errata: &[ErratumRow]) -> Terminal {
         text: text(row.text.as_ref()),
         note: text(row.note.as_ref()),
     }
-}
-
-fn sync_manager(row: &SyncManagerRow, errata: &[ErratumRow]) -> SyncManager {
-    let says = plain(&row.meta, row.src.as_ref(), errata);
-    SyncManager { number: row.number.value, carries: says.joint(&["use", "number"], row.use_) }
-}
-
-fn fmmu(row: &FmmuRow, errata: &[ErratumRow]) -> Fmmu {
-    let says = plain(&row.meta, row.src.as_ref(), errata);
-    Fmmu { number: row.number.value, maps: says.joint(&["use", "number"], row.use_) }
 }
 
 fn emcy(row: &EmcyRow, errata: &[ErratumRow]) -> EmcyPart {
@@ -232,9 +217,10 @@ fn reasons(profile: &Profile, sink: &mut Sink) {
     profile.rows.io.iter().for_each(|r| check_reasons(r, [r.inferred.as_ref()], sink));
     profile.rows.emcy.iter().for_each(|r| check_reasons(r, [r.inferred.as_ref()], sink));
     profile.rows.homing.iter().for_each(|r| check_reasons(r, [r.inferred.as_ref()], sink));
+    super::ethercat::reasons(&profile.rows, sink);
 }
 
-/// Every object that modes, terminals, rules and examples name must be there.
+/// Every object that modes, terminals, rules, start-up and examples name must be there.
 fn objects_exist(model: &Model, rows: &Rows, sink: &mut Sink) {
     let mut named: Vec<(Address, crate::source::Span)> = Vec::new();
     for mode in &model.modes {
@@ -245,6 +231,7 @@ fn objects_exist(model: &Model, rows: &Rows, sink: &mut Sink) {
         let parts = rule.require.iter().chain(&rule.when);
         named.extend(parts.flat_map(|f| f.value.objects().map(|a| (a, f.span()))));
     }
+    named.extend(model.startup.iter().map(|s| (s.write.value, s.write.span())));
     for example in &model.examples {
         named.extend(example.entry.iter().map(|f| (f.value, f.span())));
         // Of several that are not there the first says enough.

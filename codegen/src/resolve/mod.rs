@@ -4,6 +4,7 @@ mod alarms;
 mod behaviour;
 mod contradiction;
 mod drive;
+mod ethercat;
 mod homing;
 mod names;
 mod objects;
@@ -14,7 +15,7 @@ mod tables;
 
 use crate::diag::Sink;
 use crate::merge::Profile;
-use crate::model::Model;
+use crate::model::{EtherCat, Model};
 
 /// Resolves `profile`. `None` only when there is no drive row to make a model of; everything else that cannot be
 /// resolved is reported and left out, so that later findings are still found.
@@ -37,8 +38,12 @@ pub fn resolve(profile: &Profile, sink: &mut Sink) -> Option<Model> {
         commands: Vec::new(),
         aborts: Vec::new(),
         terminals: Vec::new(),
+        ethercat: EtherCat::default(),
         sync_managers: Vec::new(),
         fmmus: Vec::new(),
+        coe: Vec::new(),
+        dc_modes: Vec::new(),
+        startup: Vec::new(),
         emcy: Vec::new(),
         rules: Vec::new(),
         examples: Vec::new(),

@@ -183,7 +183,7 @@ macro_rules! integers {
     )*};
 }
 
-integers!(u8 u16 u32 i8);
+integers!(u8 u16 u32 i8 i32);
 
 macro_rules! bounded {
     ($($(#[$doc:meta])* $name:ident $range:expr;)*) => {$(
@@ -286,6 +286,43 @@ impl<T: FromRaw> FromRaw for Vec<T> {
     }
 }
 
+/// Words of which there is one number.
+impl<const N: usize> FromRaw for [u16; N] {
+    const KIND: Kind = Kind::List(&u16::KIND);
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        let list = Vec::<u16>::from_raw(raw)?;
+        let found = list.len();
+        Self::try_from(list).map_err(|_| {
+            bad(
+                format!("the list has {found} numbers, not {N}"),
+                "each of them has its own place in the device",
+                format!("write all {N}; one that is not printed makes the whole list unknown"),
+            )
+        })
+    }
+}
+
+/// Ports of a slave controller, a letter each.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Physics(pub String);
+
+impl FromRaw for Physics {
+    const KIND: Kind = Kind::Text(Some("^[YKH ]{1,4}$"));
+
+    fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
+        let text = checked_text(raw, 64)?;
+        let ok = text.len() <= 4 && text.bytes().all(|b| b"YKH ".contains(&b));
+        ok.then(|| Self(text.to_owned())).ok_or_else(|| {
+            bad(
+                format!("`{text}` are no ports"),
+                "a slave controller has up to four",
+                "write a letter a port, from port 0: `Y` for 100BASE-TX, `K` for E-bus, `H` for fast hot connect, a blank for none",
+            )
+        })
+    }
+}
+
 impl FromRaw for Unit {
     const KIND: Kind = Kind::Text(None);
 
@@ -313,7 +350,7 @@ pub struct Reason {
 }
 
 impl FromRaw for Reason {
-    const KIND: Kind = Kind::Text(Some("^[a-z]+: .+$"));
+    const KIND: Kind = Kind::Text(Some("^[a-z0-9_]+: .+$"));
 
     fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
         let text = checked_text(raw, limits::TEXT_BYTES)?;

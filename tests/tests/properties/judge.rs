@@ -41,12 +41,34 @@ fn shape(path: &str, text: &str) -> Result<String, String> {
     match path.rsplit_once('.').map(|(_, extension)| extension) {
         Some("rs") => Ok(format!("{:?} {:?}", rust(text)?, docs(text))),
         Some("eds") => sheet(text),
+        Some("xml") => elements(text),
         Some("txt") => Ok(format!("{:?}", lines(text)?)),
         Some("json") => json(text).map(|value| kinds(&value)),
         Some("md") => Ok(format!("{:?} {:?}", lines(text)?, markup(text))),
         Some("toml") => Ok(format!("{:?} {:?}", lines(text)?, keys(text)?)),
         _ => Err("a format that nobody judges".into()),
     }
+}
+
+/// The elements of a document with their attributes, in order. No text of it hides anything.
+fn elements(text: &str) -> Result<String, String> {
+    let document = roxmltree::Document::parse(text).map_err(|e| e.to_string())?;
+    let mut out = String::new();
+    for node in document.descendants() {
+        let texts = node.text().into_iter().chain(node.attributes().map(|a| a.value()));
+        if let Some(hidden) = texts.into_iter().find(|t| t.contains(|c| hides(c) && c != '\n')) {
+            return Err(format!("hidden: {hidden:?}"));
+        }
+        if node.is_element() {
+            let attributes: Vec<String> = node.attributes().map(|a| format!(" {}", a.name())).collect();
+            let depth = node.ancestors().count();
+            out.push_str(&" ".repeat(depth));
+            out.push_str(node.tag_name().name());
+            out.push_str(&attributes.join(","));
+            out.push('\n');
+        }
+    }
+    Ok(out)
 }
 
 /// How many lines there are. None of them holds a sign that would hide or reorder it.

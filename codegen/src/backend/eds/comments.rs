@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 
 use super::assumed;
-use super::loss::list;
 use super::lower::Sheet;
-use crate::emit::escape;
+use crate::backend::losses::list;
+use crate::emit::{escape, wrap};
 use crate::model::{Entry, ErratumId, Model};
 
 /// Longest line: with `Line12345=` in front it stays well below the 255 characters of CiA 306.
@@ -22,7 +22,7 @@ const CHOSEN: &str =
 
 /// The lines of a device configuration file, without their keys.
 pub(super) fn of_configuration(model: &Model, sheet: &Sheet) -> Vec<String> {
-    let mut text = wrap(CHOSEN);
+    let mut text = wrap(CHOSEN, WIDTH);
     text.extend(lines(model, sheet));
     text
 }
@@ -38,12 +38,9 @@ pub(super) fn lines(model: &Model, sheet: &Sheet) -> Vec<String> {
     }
     text.push("What this file does not hold:".to_owned());
     text.push(LOST.to_owned());
-    text.extend(sheet.losses.iter().map(|(loss, at)| match at {
-        [] => sentence(loss.says()),
-        at => format!("{}: {}", capital(loss.says()), list(at)),
-    }));
+    text.extend(sheet.losses.sentences());
     text.extend(corrected(model));
-    let lines = text.iter().flat_map(|paragraph| wrap(&escape::ini(paragraph)));
+    let lines = text.iter().flat_map(|paragraph| wrap(&escape::ini(paragraph), WIDTH));
     // An empty line says nothing.
     lines.filter(|line| !line.is_empty()).collect()
 }
@@ -69,48 +66,4 @@ fn corrected(model: &Model) -> Vec<String> {
         text.insert(0, "Where this file differs from the print:".to_owned());
     }
     text
-}
-
-fn capital(text: &str) -> String {
-    let mut chars = text.chars();
-    chars.next().map_or_else(String::new, |c| c.to_ascii_uppercase().to_string() + chars.as_str())
-}
-
-fn sentence(text: &str) -> String {
-    capital(text) + "."
-}
-
-/// Breaks a line at blanks; a word that is longer than a line is broken anywhere.
-fn wrap(text: &str) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in text.split(' ').flat_map(pieces) {
-        match lines.last_mut() {
-            Some(line) if line.is_empty() => line.push_str(&word),
-            Some(line) if line.len() + 1 + word.len() <= WIDTH => {
-                line.push(' ');
-                line.push_str(&word);
-            }
-            _ => lines.push(word),
-        }
-    }
-    lines
-}
-
-fn pieces(word: &str) -> Vec<String> {
-    let chars: Vec<char> = word.chars().collect();
-    chars.chunks(WIDTH).map(|piece| piece.iter().collect()).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lines_are_short_and_lose_nothing() {
-        let text = format!("{} {} end", "word ".repeat(60).trim_end(), "x".repeat(300));
-        let lines = wrap(&text);
-        assert!(lines.iter().all(|line| line.len() <= WIDTH && !line.is_empty()));
-        assert_eq!(lines.concat().replace(' ', ""), text.replace(' ', ""));
-        assert_eq!(wrap(""), [""]);
-    }
 }

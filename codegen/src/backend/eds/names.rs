@@ -2,9 +2,8 @@
 //!
 //! Programs find an object by its name, and of two equal names they find one.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::lower::is_variable;
+use crate::backend::unique;
 use crate::emit::escape;
 use crate::model::{Model, Object};
 
@@ -13,12 +12,7 @@ const LONGEST: usize = 241;
 
 /// A name as the sheet holds it, where no number has to stand behind it.
 pub(super) fn text(name: &str) -> String {
-    capped(&escape::ini(name), LONGEST)
-}
-
-/// The first characters of an escaped text, which is ASCII.
-fn capped(text: &str, most: usize) -> String {
-    text.get(..most).unwrap_or(text).trim_end().to_owned()
+    unique::capped(&escape::ini(name), LONGEST)
 }
 
 /// The names of the objects of a drive, in their order: `Gain`, or `Gain 2001h`.
@@ -41,32 +35,8 @@ fn printed<'a>(object: &'a Object, model: &'a Model) -> &'a str {
     }
 }
 
-/// Escapes names; one that stands there twice, or of which nothing is left, gets its number.
 fn unique(names: &[(&str, String)]) -> Vec<String> {
-    let texts: Vec<String> = names.iter().map(|(name, _)| text(name)).collect();
-    let mut times: BTreeMap<&str, u32> = BTreeMap::new();
-    for text in &texts {
-        *times.entry(text).or_insert(0) += 1;
-    }
-    let alone = |text: &&String| times.get(text.as_str()) == Some(&1) && !text.is_empty();
-    let mut taken: BTreeSet<String> = texts.iter().filter(alone).cloned().collect();
-    let name = |(text, (_, number)): (&String, &(&str, String))| {
-        if alone(&text) { text.clone() } else { numbered(text, number, &mut taken) }
-    };
-    texts.iter().zip(names).map(name).collect()
-}
-
-/// `text` with its number behind it, more than once should that be the name of another.
-fn numbered(text: &str, number: &str, taken: &mut BTreeSet<String>) -> String {
-    let mut tail = String::new();
-    loop {
-        tail.extend([" ", number]);
-        let name = capped(text, LONGEST.saturating_sub(tail.len())) + &tail;
-        let name = name.trim_start().to_owned();
-        if taken.insert(name.clone()) {
-            return name;
-        }
-    }
+    unique::unique(names, escape::ini, LONGEST)
 }
 
 #[cfg(test)]

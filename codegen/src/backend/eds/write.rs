@@ -97,7 +97,7 @@ fn american(date: &str) -> String {
 }
 
 fn device_info(model: &Model, sheet: &Sheet, ini: &mut Ini) {
-    let [vendor, product, revision] = identity(model);
+    let [vendor, product, revision, _] = model.identity();
     let pdos =
         |first: u16| sheet.objects.iter().filter(|o| (first..first + 0x200).contains(&o.index)).count();
     ini.section("DeviceInfo");
@@ -132,11 +132,6 @@ fn device_commissioning(commissioning: &Commissioning<'_>, ini: &mut Ini) {
     if let Some(serial) = commissioning.serial {
         ini.key("LSS_SerialNumber", format_args!("0x{serial:X}"));
     }
-}
-
-/// Vendor, product and revision as the identity object states them: the one source of the drive's identity.
-pub(super) fn identity(model: &Model) -> [Option<u32>; 3] {
-    [1, 2, 3].map(|sub| u32::try_from(model.default_int(Address::new(0x1018, sub))?).ok())
 }
 
 /// How finely process data can be mapped: by bytes where a mapping can be written, else 0 for not at all.

@@ -1,4 +1,4 @@
-//! Homing, modes, states, the EtherCAT side, terminals, rules and examples: their shape, and how the model becomes it.
+//! Homing, modes, states, terminals, rules and examples: their shape, and how the model becomes it.
 
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
@@ -7,8 +7,8 @@ use super::known::{known, maybe};
 use super::schema::{Field, Shape, Struct};
 use super::value::{Integer, Known, Word, shapes};
 use crate::model::{
-    self, Address, Edge, EmcyContent, FmmuUse, HomingSignal, HomingStart, HomingStatus, Model, Occasion,
-    Side, Signal, SyncManagerUse, TerminalKind,
+    self, Address, Edge, EmcyContent, HomingSignal, HomingStart, HomingStatus, Model, Occasion, Side, Signal,
+    TerminalKind,
 };
 
 shapes! {
@@ -118,22 +118,6 @@ shapes! {
         text "text": optional &'m str,
         /// A remark for the reader.
         note "note": optional &'m str,
-    }
-
-    /// A SyncManager.
-    SyncManager<'m> {
-        /// Its number.
-        number "number": required u8,
-        /// What it carries.
-        carries "use": required Known<'m, Word<SyncManagerUse>>,
-    }
-
-    /// A fieldbus memory management unit.
-    Fmmu<'m> {
-        /// Its number.
-        number "number": required u8,
-        /// What it maps.
-        maps "use": required Known<'m, Word<FmmuUse>>,
     }
 
     /// Bytes of the emergency message.
@@ -258,17 +242,6 @@ pub(super) fn terminal<'m>(model: &'m Model, terminal: &'m model::Terminal) -> T
         text: terminal.text.as_deref(),
         note: terminal.note.as_deref(),
     }
-}
-
-pub(super) fn sync_manager<'m>(model: &'m Model, manager: &'m model::SyncManager) -> SyncManager<'m> {
-    SyncManager {
-        number: manager.number,
-        carries: known(model, Word(manager.carries.value), &manager.carries.origin),
-    }
-}
-
-pub(super) fn fmmu<'m>(model: &'m Model, fmmu: &'m model::Fmmu) -> Fmmu<'m> {
-    Fmmu { number: fmmu.number, maps: known(model, Word(fmmu.maps.value), &fmmu.maps.origin) }
 }
 
 pub(super) fn emcy<'m>(model: &'m Model, part: &'m model::EmcyPart) -> Emcy<'m> {

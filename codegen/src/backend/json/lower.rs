@@ -1,6 +1,7 @@
 //! The model as the structs of [`super::shape`].
 
 use super::behaviour;
+use super::ethercat;
 use super::known::{known, maybe};
 use super::shape::{
     Alarm, BitField, Bits, Document, Drive, Entry, Enum, EnumValue, Erratum, Identity, Manual, Object, Pdo,
@@ -32,8 +33,12 @@ pub(super) fn document(model: &Model) -> Document<'_> {
         commands: model.commands.iter().map(|c| behaviour::command(model, c)).collect(),
         aborts: model.aborts.iter().map(|a| behaviour::abort(model, a)).collect(),
         terminals: model.terminals.iter().map(|t| behaviour::terminal(model, t)).collect(),
-        sync_managers: model.sync_managers.iter().map(|s| behaviour::sync_manager(model, s)).collect(),
-        fmmus: model.fmmus.iter().map(|f| behaviour::fmmu(model, f)).collect(),
+        ethercat: ethercat::ethercat(model),
+        sync_managers: model.sync_managers.iter().map(|s| ethercat::sync_manager(model, s)).collect(),
+        fmmus: model.fmmus.iter().map(|f| ethercat::fmmu(model, f)).collect(),
+        coe: model.coe.iter().map(|c| ethercat::coe(model, c)).collect(),
+        dc_modes: model.dc_modes.iter().map(|d| ethercat::dc_mode(model, d)).collect(),
+        startup: model.startup.iter().map(|s| ethercat::startup(model, s)).collect(),
         emcy: model.emcy.iter().map(|e| behaviour::emcy(model, e)).collect(),
         rules: model.rules.iter().map(|r| behaviour::rule(model, r)).collect(),
         examples: model.examples.iter().map(|e| behaviour::example(model, e)).collect(),

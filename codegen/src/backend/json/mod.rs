@@ -4,6 +4,7 @@
 //! [`schema`] describes it from the same types. The file is a format of its own: the model may change behind it.
 
 mod behaviour;
+mod ethercat;
 mod known;
 mod layout;
 mod lower;

@@ -5,9 +5,8 @@
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use super::behaviour::{
-    Abort, Command, Emcy, Example, Fmmu, Homing, Mode, Rule, State, SyncManager, Terminal,
-};
+use super::behaviour::{Abort, Command, Emcy, Example, Homing, Mode, Rule, State, Terminal};
+use super::ethercat::{Coe, DcMode, EtherCat, Fmmu, StartUp, SyncManager};
 use super::schema::{Field, Shape, Struct};
 use super::value::{Integer, Known, Word, shapes};
 use crate::model::{
@@ -50,10 +49,18 @@ shapes! {
         aborts "aborts": required Vec<Abort<'m>>,
         /// Terminals.
         terminals "terminals": required Vec<Terminal<'m>>,
+        /// What device files say of an EtherCAT drive as a whole.
+        ethercat "ethercat": required EtherCat<'m>,
         /// SyncManagers of the EtherCAT slave controller, by number.
         sync_managers "sync_managers": required Vec<SyncManager<'m>>,
         /// FMMUs of the EtherCAT slave controller, by number.
         fmmus "fmmus": required Vec<Fmmu<'m>>,
+        /// What CoE can and cannot do, where somebody says it.
+        coe "coe": required Vec<Coe<'m>>,
+        /// Ways to synchronize, the first by default.
+        dc_modes "dc_modes": required Vec<DcMode<'m>>,
+        /// What a master must write at start-up, in order.
+        startup "startup": required Vec<StartUp<'m>>,
         /// The emergency message, by byte.
         emcy "emcy": required Vec<Emcy<'m>>,
         /// Rules between values, by id.

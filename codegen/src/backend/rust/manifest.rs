@@ -6,9 +6,9 @@ use serde::Serialize;
 
 use super::Module;
 use super::lower::{Handle, Lowered};
-use crate::backend::eds;
 use crate::backend::prose::outcome;
 use crate::backend::template::render;
+use crate::backend::{eds, esi};
 use crate::emit::escape::{markdown, one_line};
 use crate::model::{Address, Model, Sure};
 
@@ -26,6 +26,8 @@ struct Context {
     alarms: usize,
     pdos: usize,
     assumed: Vec<String>,
+    /// The same of the ESI; nothing for a drive without one.
+    assumed_esi: Vec<String>,
     /// Errata with a heading for each degree of doubt, the least sure first.
     errata: Vec<(&'static str, Vec<String>)>,
     identity: Vec<String>,
@@ -93,6 +95,7 @@ fn context(model: &Model) -> Context {
         pdos: model.pdos.len(),
         homing: model.homing.iter().filter(|m| m.same.is_some() || !m.cases.is_empty()).count(),
         assumed: eds::assumptions(model).iter().map(|text| markdown(text)).collect(),
+        assumed_esi: esi::assumptions(model).iter().map(|text| markdown(text)).collect(),
         errata: DOUBT
             .iter()
             .map(|(sure, title)| (*title, of(*sure)))

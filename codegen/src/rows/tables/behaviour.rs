@@ -1,11 +1,11 @@
-//! Homing, modes, states, the EtherCAT side, terminals, rules and examples.
+//! Homing, modes, states, terminals, rules and examples.
 
 use std::collections::BTreeMap;
 
 use crate::diag::Sink;
 use crate::model::{
-    Address, Cite, Edge, EmcyContent, Expr, FmmuUse, HomingSignal, HomingStart, HomingStatus, Moves,
-    Occasion, Side, Signal, SyncManagerUse, TerminalKind, When,
+    Address, Cite, Edge, EmcyContent, Expr, HomingSignal, HomingStart, HomingStatus, Moves, Occasion, Side,
+    Signal, TerminalKind, When,
 };
 use crate::name::Name;
 use crate::raw::RawRow;
@@ -135,26 +135,6 @@ rows! {
         note "note": optional Text,
         /// Fields that follow from the manual by a rule.
         inferred "inferred": optional Vec<Reason>,
-        /// Where the manual prints it.
-        src "src": optional Cite,
-    }
-
-    /// A SyncManager of the EtherCAT slave controller.
-    SyncManagerRow in sync_managers, key |row| { format!("sync manager {}", row.number.value) } {
-        /// Its number.
-        number "number": required u8,
-        /// What it carries.
-        use_ "use": required SyncManagerUse,
-        /// Where the manual prints it.
-        src "src": optional Cite,
-    }
-
-    /// A fieldbus memory management unit of the EtherCAT slave controller.
-    FmmuRow in fmmus, key |row| { format!("fmmu {}", row.number.value) } {
-        /// Its number.
-        number "number": required u8,
-        /// What it maps.
-        use_ "use": required FmmuUse,
         /// Where the manual prints it.
         src "src": optional Cite,
     }

@@ -4,6 +4,7 @@ mod behaviour;
 mod configuration;
 mod dictionary;
 mod drive;
+mod ethercat;
 mod reading;
 
 use std::collections::BTreeSet;
@@ -18,6 +19,7 @@ pub use behaviour::*;
 pub use configuration::*;
 pub use dictionary::*;
 pub use drive::*;
+pub use ethercat::*;
 pub use reading::*;
 
 tables! {
@@ -36,8 +38,12 @@ tables! {
         commands: CommandRow,
         aborts: AbortRow,
         io: TerminalRow,
+        ethercat: EtherCatRow,
         sync_managers: SyncManagerRow,
         fmmus: FmmuRow,
+        coe: CoeRow,
+        dc_modes: DcModeRow,
+        startup: StartUpRow,
         emcy: EmcyRow,
         rules: RuleRow,
         examples: ExampleRow,
