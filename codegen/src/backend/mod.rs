@@ -8,6 +8,7 @@ pub mod json;
 mod losses;
 pub mod map;
 pub mod rust;
+pub mod sii;
 mod unique;
 
 use crate::diag::{Code, Sink};
@@ -28,7 +29,7 @@ pub trait Backend: Sync {
 }
 
 /// Every backend, in the order of output.
-pub const ALL: &[&dyn Backend] = &[&rust::Rust, &eds::Eds, &esi::Esi, &json::Json, &map::Map];
+pub const ALL: &[&dyn Backend] = &[&rust::Rust, &eds::Eds, &esi::Esi, &sii::Sii, &json::Json, &map::Map];
 
 #[cfg(test)]
 mod tests {
