@@ -12,6 +12,8 @@ use crate::outcome::Outcome;
 
 /// Judges of an EDS: name of the script, and whether it also takes `model.json`.
 const OF_EDS: &[(&str, bool)] = &[("eds_canopen", true), ("eds_dcfchk", false)];
+/// The same of an SII image.
+const OF_SII: &[(&str, bool)] = &[("sii", true), ("sii_ebpfcat", false)];
 /// What pip installs, in this order, and with which options. The first builds what of the second comes as source.
 const PACKAGES: &[(&str, &[&str])] = &[("build.txt", &[]), ("requirements.txt", &["--no-build-isolation"])];
 /// What pip says when it cannot reach an index.
@@ -43,32 +45,35 @@ pub fn run(root: &Path, options: &Options, step: &mut dyn FnMut(&str, &mut dyn F
         Ok(python) => ask(python, &judges.join("golden.py"), root, false, quiet),
         Err(why) => Outcome::Skipped(why.clone()),
     });
-    let files = data_sheets(root);
-    if files.is_empty() {
-        step("judges of EDS", &mut || Outcome::Skipped("there is no EDS below generated/".to_owned()));
-    }
-    for file in files {
-        let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        for (judge, with_model) in OF_EDS {
-            step(&format!("{judge} {name}"), &mut || match &python {
-                Ok(python) => ask(python, &judges.join(format!("{judge}.py")), &file, *with_model, quiet),
-                Err(why) => Outcome::Skipped(why.clone()),
-            });
+    for (folder, extension, judging) in [("eds", "eds", OF_EDS), ("sii", "bin", OF_SII)] {
+        let files = generated(root, folder, extension);
+        if files.is_empty() {
+            let reason = format!("there is no {folder}/*.{extension} below generated/");
+            step(&format!("judges of {folder}"), &mut || Outcome::Skipped(reason.clone()));
+        }
+        for file in files {
+            let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            for (judge, with_model) in judging {
+                step(&format!("{judge} {name}"), &mut || match &python {
+                    Ok(python) => ask(python, &judges.join(format!("{judge}.py")), &file, *with_model, quiet),
+                    Err(why) => Outcome::Skipped(why.clone()),
+                });
+            }
         }
     }
 }
 
-/// Every `generated/<package>/eds/*.eds`, in path order.
-fn data_sheets(root: &Path) -> Vec<PathBuf> {
+/// Every `generated/<package>/<folder>/*.<extension>`, in path order.
+fn generated(root: &Path, folder: &str, extension: &str) -> Vec<PathBuf> {
     let list = |folder: &Path| -> Vec<PathBuf> {
         let entries = fs::read_dir(folder).into_iter().flatten().flatten();
         entries.map(|entry| entry.path()).collect()
     };
-    let sheets = list(&root.join("generated")).into_iter().flat_map(|package| list(&package.join("eds")));
-    let mut sheets: Vec<PathBuf> =
-        sheets.filter(|file| file.extension().is_some_and(|e| e == "eds")).collect();
-    sheets.sort();
-    sheets
+    let files = list(&root.join("generated")).into_iter().flat_map(|package| list(&package.join(folder)));
+    let mut files: Vec<PathBuf> =
+        files.filter(|file| file.extension().is_some_and(|e| e == extension)).collect();
+    files.sort();
+    files
 }
 
 /// Asks one judge about one file; it prints its findings and what its negative controls saw.

@@ -1,6 +1,6 @@
 //! What follows the 64 words: strings, general, FMMUs, SyncManagers, PDOs, distributed clock.
 
-use super::image::{FORMAT, Image};
+use super::image::{Image, Said};
 use super::loss::Loss;
 use super::{Parts, Strings};
 use crate::backend::ethercat::{AssignedPdo, Manager, OpMode, Sync};
@@ -31,13 +31,13 @@ pub(super) fn strings<'m>(parts: &Parts<'m>) -> Image<'m> {
     let mut image = Image::new(&parts.device.assumed);
     let count = parts.strings.count();
     if count > 0 {
-        image.byte(FORMAT, format!("Strings: {count}"), count);
+        image.byte(Said::Format, format!("Strings: {count}"), count);
     }
     for (number, text) in (1..).zip(parts.strings.iter()) {
         let number: u8 = number;
         let length = u8::try_from(text.len()).unwrap_or(u8::MAX);
-        image.byte(FORMAT, format!("String {number}, length"), length);
-        image.put(Some(""), format!("String {number}: {text}"), text.as_bytes());
+        image.byte(Said::Format, format!("String {number}, length"), length);
+        image.put(Said::Below, format!("String {number}: {text}"), text.as_bytes());
     }
     image.category(10, "strings", 0)
 }
@@ -64,22 +64,22 @@ fn general<'m>(parts: &mut Parts<'m>) -> Image<'m> {
     let order = number(device.product_type, parts);
     let name = number(&parts.model.drive.name, parts);
     let has = |protocol| device.mailbox.contains(&protocol);
-    image.byte(Some("Group"), named("Group", group, &parts.strings), group);
-    image.byte(FORMAT, "Image: no string", 0);
-    image.byte(Some("Type"), named("Type", order, &parts.strings), order);
-    image.byte(Some(""), named("Name", name, &parts.strings), name);
+    image.byte(Said::Unless("Group"), named("Group", group, &parts.strings), group);
+    image.byte(Said::Format, "Image: no string", 0);
+    image.byte(Said::Unless("Type"), named("Type", order, &parts.strings), order);
+    image.byte(Said::Profile, named("Name", name, &parts.strings), name);
     image.reserved(1);
     coe(parts, &mut image);
     for (name, protocol) in [("FoE", MailboxProtocol::Foe), ("EoE", MailboxProtocol::Eoe)] {
-        image.byte(Some("Mailbox"), format!("{name}: {}", has(protocol)), u8::from(has(protocol)));
+        image.byte(Said::Unless("Mailbox"), format!("{name}: {}", has(protocol)), u8::from(has(protocol)));
     }
     image.reserved(3);
-    image.byte(FORMAT, "Flags: none", 0);
-    image.word(FORMAT, "Current taken from the E-bus in mA", 0);
-    image.byte(Some("Group"), named("Group once more", group, &parts.strings), group);
+    image.byte(Said::Format, "Flags: none", 0);
+    image.word(Said::Format, "Current taken from the E-bus in mA", 0);
+    image.byte(Said::Unless("Group"), named("Group once more", group, &parts.strings), group);
     image.reserved(1);
     let ports = ports(parts);
-    image.word(Some("Ports"), "Ports, four bits each: 1 MII, 3 E-bus, 4 fast hot connect", ports);
+    image.word(Said::Unless("Ports"), "Ports, four bits each: 1 MII, 3 E-bus, 4 fast hot connect", ports);
     image.reserved(14);
     image.category(30, "general", 0)
 }
@@ -106,7 +106,7 @@ fn coe(parts: &Parts<'_>, image: &mut Image<'_>) {
     let key = assumed.into_iter().find(|key| parts.device.assumed.holds(key));
     let said = key.as_deref().unwrap_or("Mailbox");
     let what = if words.is_empty() { "none".to_owned() } else { words.join(", ") };
-    image.byte(Some(said), format!("CoE: {what}"), bits);
+    image.byte(Said::Unless(said), format!("CoE: {what}"), bits);
 }
 
 /// Four bits a port, port 0 in the lowest.
@@ -137,7 +137,7 @@ fn fmmus<'m>(parts: &Parts<'m>) -> Image<'m> {
             FmmuUse::Inputs => 2,
             FmmuUse::MailboxStatus => 3,
         };
-        image.byte(Some("FMMUs"), format!("FMMU {number}: {}", maps.word()), code);
+        image.byte(Said::Unless("FMMUs"), format!("FMMU {number}: {}", maps.word()), code);
     }
     image.category(40, "FMMUs", NONE)
 }
@@ -167,14 +167,14 @@ fn sync_manager(manager: &Manager, parts: &mut Parts<'_>, image: &mut Image<'_>)
         SyncManagerUse::Inputs => 4,
     };
     let (start, length) = (name("start"), name("length"));
-    image.word(Some(&start), &start, manager.start);
-    image.word(Some(&length), &length, manager.size);
+    image.word(Said::Unless(&start), &start, manager.start);
+    image.word(Said::Unless(&length), &length, manager.size);
     let control = name("control");
-    image.byte(Some(&control), format!("{control}: 0x{:02X}", manager.control), manager.control);
-    image.byte(FORMAT, name("status: 0"), 0);
-    image.byte(Some(&name("active")), name(&format!("active: {active}")), u8::from(active));
+    image.byte(Said::Unless(&control), format!("{control}: 0x{:02X}", manager.control), manager.control);
+    image.byte(Said::Format, name("status: 0"), 0);
+    image.byte(Said::Unless(&name("active")), name(&format!("active: {active}")), u8::from(active));
     let key = "SyncManagers 0 to 3";
-    image.byte(Some(key), name(&format!("carries: {}", manager.carries.word())), code);
+    image.byte(Said::Unless(key), name(&format!("carries: {}", manager.carries.word())), code);
 }
 
 fn pdos<'m>(parts: &mut Parts<'m>, direction: Direction) -> Image<'m> {
@@ -210,19 +210,15 @@ fn pdo(pdo: &AssignedPdo<'_>, parts: &mut Parts<'_>, image: &mut Image<'_>) {
     // A position is a byte, so no PDO has more entries.
     let count = u8::try_from(pdo.pdo.entries.len()).unwrap_or(u8::MAX);
     let manager = parts.device.manager(carries).filter(|_| pdo.assigned).map_or(NONE, |m| m.number);
-    image.word(Some(""), &name("index"), index);
-    image.byte(Some(""), name(&format!("entries: {count}")), count);
+    image.word(Said::Profile, &name("index"), index);
+    image.byte(Said::Profile, name(&format!("entries: {count}")), count);
     let active = if manager == NONE { "none by default".to_owned() } else { manager.to_string() };
-    image.byte(
-        Some(&format!("Active {}", if kind == "RxPDO" { "RxPDO" } else { "TxPDO" })),
-        name(&format!("SyncManager: {active}")),
-        manager,
-    );
-    image.byte(FORMAT, name("synchronization: none"), 0);
-    image.byte(Some(""), named(&name("name"), text, &parts.strings), text);
+    image.byte(Said::Unless(&format!("Active {kind}")), name(&format!("SyncManager: {active}")), manager);
+    image.byte(Said::Format, name("synchronization: none"), 0);
+    image.byte(Said::Profile, named(&name("name"), text, &parts.strings), text);
     let fixed = if pdo.fixed { 0x0010 } else { 0 };
     image.word(
-        Some(&format!("PDO {index:04X}h, fixed")),
+        Said::Unless(&format!("PDO {index:04X}h, fixed")),
         &name(if pdo.fixed { "flags, fixed content" } else { "flags, changeable content" }),
         fixed,
     );
@@ -237,14 +233,14 @@ fn entry(mapped: &PdoEntry, parts: &mut Parts<'_>, image: &mut Image<'_>) {
     loss.into_iter().for_each(|loss| parts.losses.add(loss, entry.address, entry.name.span()));
     let name = |what: &str| format!("  {}, {what}", entry.address);
     let ty = entry.ty.value;
-    image.word(Some(""), &name("index"), entry.address.index);
-    image.byte(Some(""), name(&format!("sub-index: {:02X}h", entry.address.sub)), entry.address.sub);
-    image.byte(Some(""), named(&name("name"), text, &parts.strings), text);
+    image.word(Said::Profile, &name("index"), entry.address.index);
+    image.byte(Said::Profile, name(&format!("sub-index: {:02X}h", entry.address.sub)), entry.address.sub);
+    image.byte(Said::Profile, named(&name("name"), text, &parts.strings), text);
     let code = u8::try_from(ty.cia301_code()).unwrap_or(0);
-    image.byte(Some(""), name(&format!("type: {}", ty.cia301_name())), code);
+    image.byte(Said::Profile, name(&format!("type: {}", ty.cia301_name())), code);
     let bits = u8::try_from(mapped.bits.value).unwrap_or(u8::MAX);
-    image.byte(Some(""), name(&format!("bits: {bits}")), bits);
-    image.word(FORMAT, &name("flags"), 0);
+    image.byte(Said::Profile, name(&format!("bits: {bits}")), bits);
+    image.word(Said::Format, &name("flags"), 0);
 }
 
 fn distributed_clock<'m>(parts: &mut Parts<'m>) -> Image<'m> {
@@ -265,19 +261,23 @@ fn op_mode(place: u32, mode: &OpMode<'_>, parts: &mut Parts<'_>, image: &mut Ima
         parts.losses.add_of_drive(Loss::CycleOfSync1);
     }
     let (title, text) = (number(mode.name, parts), mode.text.map_or(0, |text| number(text, parts)));
-    let said = |sync: Option<Sync>, what: &str| sync.map(|_| name(what));
-    let cycle = said(mode.sync0, "cycle of SYNC0");
-    image.long(cycle.as_deref(), &name("cycle of SYNC0 in ns, 0 that of the master"), cycle0);
+    let cycle = name("cycle of SYNC0");
+    image.long(said(mode.sync0, &cycle), &name("cycle of SYNC0 in ns, 0 that of the master"), cycle0);
     let shifts = [("SYNC0", mode.sync0, shift0), ("SYNC1", mode.sync1, shift1)];
     for (which, sync, shift) in shifts {
-        let key = said(sync, &format!("shift of {which}"));
-        image.long(key.as_deref(), &name(&format!("shift of {which} in ns")), shift.cast_unsigned());
+        let key = name(&format!("shift of {which}"));
+        image.long(said(sync, &key), &name(&format!("shift of {which} in ns")), shift.cast_unsigned());
     }
     let factors = [mode.sync0, mode.sync1].map(|sync| u16::from(sync.is_some_and(|sync| sync.cycle == 0)));
-    image.word(FORMAT, &name("cycle of SYNC1 in cycles"), factors[1]);
-    image.word(Some(&name("AssignActivate")), &name("AssignActivate"), mode.assign_activate);
-    image.word(FORMAT, &name("cycle of SYNC0 in cycles of the master"), factors[0]);
-    image.byte(Some(""), named(&name("name"), title, &parts.strings), title);
-    image.byte(Some(""), named(&name("text"), text, &parts.strings), text);
+    image.word(Said::Format, &name("cycle of SYNC1 in cycles"), factors[1]);
+    image.word(Said::Unless(&name("AssignActivate")), &name("AssignActivate"), mode.assign_activate);
+    image.word(Said::Format, &name("cycle of SYNC0 in cycles of the master"), factors[0]);
+    image.byte(Said::Profile, named(&name("name"), title, &parts.strings), title);
+    image.byte(Said::Profile, named(&name("text"), text, &parts.strings), text);
     image.reserved(4);
+}
+
+/// A mode without the signal has zeros for it.
+fn said(sync: Option<Sync>, key: &str) -> Said<'_> {
+    sync.map_or(Said::Format, |_| Said::Unless(key))
 }

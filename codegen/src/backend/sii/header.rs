@@ -1,7 +1,7 @@
 //! Words 0 to 63: what the slave controller is configured with, identity, mailbox, size.
 
 use super::Parts;
-use super::image::{FORMAT, Image};
+use super::image::{Image, Said};
 use super::loss::Loss;
 use crate::model::{MailboxProtocol, SyncManagerUse};
 
@@ -13,14 +13,14 @@ pub(super) fn write<'m>(parts: &mut Parts<'m>) -> Image<'m> {
     config(parts, &mut image);
     let names = ["Vendor id", "Product code", "Revision", "Serial number"];
     for (name, value) in names.into_iter().zip(parts.device.identity) {
-        image.long(Some(name), name, value);
+        image.long(Said::Unless(name), name, value);
     }
     image.reserved(8);
     bootstrap(parts, &mut image);
     mailbox(parts, &mut image);
     image.reserved(66);
-    image.word(Some("Bytes of the EEPROM"), "Size in KiBit, less 1", size(parts));
-    image.word(FORMAT, "Version of the layout", 1);
+    image.word(Said::Unless("Bytes of the EEPROM"), "Size in KiBit, less 1", size(parts));
+    image.word(Said::Format, "Version of the layout", 1);
     image
 }
 
@@ -35,10 +35,10 @@ fn config(parts: &Parts<'_>, image: &mut Image<'_>) {
         "Configuration, word 6",
     ];
     for (name, value) in NAMES.into_iter().zip(parts.device.config) {
-        image.word(Some("SII words 0 to 6"), name, value);
+        image.word(Said::Unless("SII words 0 to 6"), name, value);
     }
     let bytes = image.bytes();
-    image.word(FORMAT, "Checksum of words 0 to 6", u16::from(checksum(&bytes)));
+    image.word(Said::Format, "Checksum of words 0 to 6", u16::from(checksum(&bytes)));
 }
 
 /// CRC-8 with the polynomial 07h, started with FFh.
@@ -52,7 +52,7 @@ fn bootstrap(parts: &Parts<'_>, image: &mut Image<'_>) {
     const NAMES: [&str; 4] =
         ["receive mailbox, start", "receive mailbox, length", "send mailbox, start", "send mailbox, length"];
     for (name, value) in NAMES.into_iter().zip(parts.device.bootstrap) {
-        image.word(Some("Mailbox of Bootstrap"), &format!("Bootstrap, {name}"), value);
+        image.word(Said::Unless("Mailbox of Bootstrap"), &format!("Bootstrap, {name}"), value);
     }
 }
 
@@ -61,20 +61,24 @@ fn mailbox(parts: &mut Parts<'_>, image: &mut Image<'_>) {
     let mut managers = 0;
     for (carries, name) in uses {
         let Some(manager) = parts.device.manager(carries) else {
-            image.word(FORMAT, &format!("{name}, start"), 0);
-            image.word(FORMAT, &format!("{name}, length"), 0);
+            image.word(Said::Format, &format!("{name}, start"), 0);
+            image.word(Said::Format, &format!("{name}, length"), 0);
             continue;
         };
         managers += 1;
         let key = |what| format!("SyncManager {}, {what}", manager.number);
-        image.word(Some(&key("start")), &format!("{name}, start"), manager.start);
-        image.word(Some(&key("length")), &format!("{name}, length"), manager.size);
+        image.word(Said::Unless(&key("start")), &format!("{name}, start"), manager.start);
+        image.word(Said::Unless(&key("length")), &format!("{name}, length"), manager.size);
     }
     let stated = parts.device.mailbox.iter().fold(0, |bits, protocol| bits | bit(*protocol));
     if stated != 0 && managers < uses.len() {
         parts.losses.add_of_drive(Loss::MailboxWithoutManagers);
     }
-    image.word(Some("Mailbox"), "Protocols of the mailbox", if managers < uses.len() { 0 } else { stated });
+    image.word(
+        Said::Unless("Mailbox"),
+        "Protocols of the mailbox",
+        if managers < uses.len() { 0 } else { stated },
+    );
 }
 
 fn bit(protocol: MailboxProtocol) -> u16 {

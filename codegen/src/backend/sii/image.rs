@@ -2,16 +2,23 @@
 
 use crate::backend::ethercat::Assumptions;
 
-/// Who says a field: the format itself, or the drive, by the name that an assumption would have.
-pub(super) type Said<'k> = Option<&'k str>;
-
-/// The format demands the value, whatever the drive is.
-pub(super) const FORMAT: Said<'static> = None;
+/// Who says a field.
+#[derive(Clone, Copy)]
+pub(super) enum Said<'k> {
+    /// The format demands the value, whatever the drive is.
+    Format,
+    /// The profile.
+    Profile,
+    /// The profile, unless there is an assumption of that name.
+    Unless(&'k str),
+    /// Whoever says the field that refers to it.
+    Below,
+}
 
 /// Some bytes that mean one thing.
 pub(super) struct Field {
     pub(super) bytes: Vec<u8>,
-    /// `format`, `assumed`, or `profile`.
+    /// `format`, `assumed`, `profile` or `below`.
     pub(super) source: &'static str,
     /// What it is, and its value where the bytes do not say it plainly.
     pub(super) what: String,
@@ -46,9 +53,10 @@ impl<'m> Image<'m> {
 
     pub(super) fn put(&mut self, said: Said<'_>, what: impl Into<String>, bytes: &[u8]) {
         let source = match said {
-            None => "format",
-            Some(name) if self.assumed.holds(name) => "assumed",
-            Some(_) => "profile",
+            Said::Format => "format",
+            Said::Unless(name) if self.assumed.holds(name) => "assumed",
+            Said::Profile | Said::Unless(_) => "profile",
+            Said::Below => "below",
         };
         self.fields.push(Field { bytes: bytes.to_vec(), source, what: what.into() });
     }
@@ -67,7 +75,7 @@ impl<'m> Image<'m> {
 
     /// Bytes that have no meaning yet.
     pub(super) fn reserved(&mut self, count: usize) {
-        self.put(FORMAT, "Reserved", &vec![0; count]);
+        self.put(Said::Format, "Reserved", &vec![0; count]);
     }
 
     /// These fields as a category of `kind`, filled up to whole words; nothing where there are none.
@@ -76,12 +84,12 @@ impl<'m> Image<'m> {
             return self;
         }
         if !self.len().is_multiple_of(2) {
-            self.put(FORMAT, "Filled up to a word", &[fill]);
+            self.put(Said::Format, "Filled up to a word", &[fill]);
         }
         let mut whole = Self::new(self.assumed);
-        whole.word(FORMAT, &format!("Category {kind}, {name}"), kind);
+        whole.word(Said::Format, &format!("Category {kind}, {name}"), kind);
         // No category is longer: strings have 64 KiB, and the caller leaves out PDOs that do not fit.
-        whole.word(FORMAT, "Its length in words", u16::try_from(self.len() / 2).unwrap_or(u16::MAX));
+        whole.word(Said::Format, "Its length in words", u16::try_from(self.len() / 2).unwrap_or(u16::MAX));
         whole.append(self);
         whole
     }

@@ -15,6 +15,7 @@ const PREAMBLE: &str = "\
 #
 # Each line: offset in bytes, the bytes, who says it, what it means. Numbers are little-endian.
 # profile: a fact of the profile. assumed: see below. format: ETG.2010 demands it, whatever the drive is.
+# below: who says a text is said where its number stands.
 # An EEPROM holds FFh behind the end of the categories.
 ";
 const LOST: &str = "An SII has no dictionary: names, limits, units, defaults and alarms are in the ESI and in model.json. \

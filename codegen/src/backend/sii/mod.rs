@@ -43,10 +43,12 @@ impl Backend for Sii {
         let Some(device) = Device::of(model) else { return };
         let (image, losses) = image(model, &device);
         losses.report(sink);
-        let files =
-            [("bin", image.bytes()), ("txt", listing::text(model, &device, &image, &losses).into_bytes())];
-        for (extension, bytes) in files {
-            if let Err(error) = out.add(format!("sii/{}.{extension}", model.drive.package), bytes) {
+        let files = [
+            (".bin", image.bytes()),
+            ("-listing.txt", listing::text(model, &device, &image, &losses).into_bytes()),
+        ];
+        for (ending, bytes) in files {
+            if let Err(error) = out.add(format!("sii/{}{ending}", model.drive.package), bytes) {
                 sink.push(
                     Diagnostic::new(PLACE, Span::nowhere(), error.to_string())
                         .why("the file is named after the package")
@@ -73,7 +75,7 @@ fn image<'m>(model: &'m Model, device: &'m Device<'m>) -> (Image<'m>, Losses) {
     image.append(header);
     image.append(categories::strings(&parts));
     image.append(categories);
-    image.word(image::FORMAT, "End of the categories", 0xFFFF);
+    image.word(image::Said::Format, "End of the categories", 0xFFFF);
     if image.len() > usize::try_from(device.eeprom_bytes).unwrap_or(usize::MAX) {
         parts.losses.add_of_drive(Loss::TooLong);
     }
