@@ -8,13 +8,13 @@ from pathlib import Path
 LEAST = 4
 
 
-def broken(text, changes):
-    """Yields (kind, copy of `text`) with one character changed at the first place where each change applies."""
+def broken(text, changes, newline="\r\n"):
+    """Yields (kind, copy of `text`) with one thing changed at the first place where each change applies."""
     lines = text.replace("\r\n", "\n")
     for kind, pattern, replacement in changes:
         changed, count = re.subn(pattern, replacement, lines, count=1, flags=re.MULTILINE)
         if count:
-            yield kind, changed.replace("\n", "\r\n")
+            yield kind, changed.replace("\n", newline)
 
 
 def other_digit(match):
@@ -22,18 +22,18 @@ def other_digit(match):
     return match.group(1) + str((int(match.group(2)) + 1) % 10)
 
 
-def run(path, changes, judge):
+def run(path, changes, judge, encoding="ascii", newline="\r\n"):
     """Whether `judge`, which gives a list of findings about a file, is content with `path` and with no broken copy."""
     findings = judge(path)
     if findings:
         print(*(f"{path.name}: {finding}" for finding in findings), sep="\n")
         return False
-    text = path.read_bytes().decode("ascii")
+    text = path.read_bytes().decode(encoding)
     seen, missed = [], []
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder, path.name)
-        for kind, changed in broken(text, changes):
-            copy.write_bytes(changed.encode("ascii"))
+        for kind, changed in broken(text, changes, newline):
+            copy.write_bytes(changed.encode(encoding))
             (seen if judge(copy) else missed).append(kind)
     for kind in missed:
         print(f"{path.name}: the judge accepts a copy with a changed {kind}")

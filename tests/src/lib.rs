@@ -8,6 +8,7 @@
 
 pub mod cases;
 pub mod drives;
+pub mod esi;
 
 use std::fs::OpenOptions;
 use std::io::Write;

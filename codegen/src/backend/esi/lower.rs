@@ -186,7 +186,9 @@ fn record(name: &str, entries: &[&Entry], types: Vec<Named>, out: &mut Dictionar
     let mut end = 0;
     let mut items = Vec::with_capacity(entries.len());
     for ((entry, ty), name) in entries.iter().zip(types).zip(&names) {
-        let offset = if entry.address.sub == 0 { 0 } else { end.max(FIRST) };
+        // Bits follow bits; whole bytes start at one.
+        let next = if ty.bits == 1 { end } else { whole_bytes(end) };
+        let offset = if entry.address.sub == 0 { 0 } else { next.max(FIRST) };
         end = offset + ty.bits;
         let flags = Flags::of(entry);
         items.push(Item { sub: Some(entry.address.sub), name: name.clone(), ty, offset, flags });

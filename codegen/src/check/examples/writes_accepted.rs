@@ -36,16 +36,20 @@ fn written<'m>(model: &'m Model, example: &Example) -> impl Iterator<Item = &'m 
 
 /// The fact of an entry that refuses the write, and why.
 fn refusal(entry: &Entry, example: &Example) -> Option<(Span, String)> {
-    let access = entry.access.value;
-    if !access.writes() && !super::settled(&entry.access) {
-        return Some((entry.access.span(), format!("whose access is {}", access.word())));
-    }
     let values = [&example.value, &example.min, &example.max];
-    values.into_iter().flatten().filter(|v| !super::settled(v)).find_map(|value| refused(entry, value.value))
+    let values = values.into_iter().flatten().filter(|v| !super::settled(v));
+    read_only(entry).or_else(|| values.into_iter().find_map(|value| refused(entry, value.value)))
+}
+
+/// The access of an entry, if it refuses every write.
+pub(in crate::check) fn read_only(entry: &Entry) -> Option<(Span, String)> {
+    let access = entry.access.value;
+    (!access.writes() && !super::settled(&entry.access))
+        .then(|| (entry.access.span(), format!("whose access is {}", access.word())))
 }
 
 /// The fact of an entry that refuses a value, and why.
-fn refused(entry: &Entry, value: i128) -> Option<(Span, String)> {
+pub(in crate::check) fn refused(entry: &Entry, value: i128) -> Option<(Span, String)> {
     if super::fits(entry.ty.value, value) == Some(false) {
         return Some((entry.ty.span(), format!("whose type {} has no {value}", entry.ty.value)));
     }
