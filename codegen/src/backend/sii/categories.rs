@@ -45,7 +45,9 @@ pub(super) fn strings<'m>(parts: &Parts<'m>) -> Image<'m> {
 /// The number of a text of the drive as a whole.
 fn number(text: &str, parts: &mut Parts<'_>) -> u8 {
     let (number, loss) = parts.strings.number(text);
-    loss.into_iter().for_each(|loss| parts.losses.add_of_drive(loss));
+    if let Some(loss) = loss {
+        parts.losses.add_of_drive(loss);
+    }
     number
 }
 
@@ -78,8 +80,8 @@ fn general<'m>(parts: &mut Parts<'m>) -> Image<'m> {
     image.word(Said::Format, "Current taken from the E-bus in mA", 0);
     image.byte(Said::Unless("Group"), named("Group once more", group, &parts.strings), group);
     image.reserved(1);
-    let ports = ports(parts);
-    image.word(Said::Unless("Ports"), "Ports, four bits each: 1 MII, 3 E-bus, 4 fast hot connect", ports);
+    let wiring = ports(parts);
+    image.word(Said::Unless("Ports"), "Ports, four bits each: 1 MII, 3 E-bus, 4 fast hot connect", wiring);
     image.reserved(14);
     image.category(30, "general", 0)
 }
@@ -184,8 +186,6 @@ fn pdos<'m>(parts: &mut Parts<'m>, direction: Direction) -> Image<'m> {
         let length = 8 * (1 + pdo.pdo.entries.len());
         let loss = if pdo.pdo.entries.is_empty() {
             Some(Loss::EmptyPdo)
-        } else if pdo.pdo.entries.iter().any(|entry| u8::try_from(entry.bits.value).is_err()) {
-            Some(Loss::LongPdo)
         } else {
             (image.len() + length > CATEGORY_BYTES).then_some(Loss::PdosTooLong)
         };
@@ -230,7 +230,9 @@ fn pdo(pdo: &AssignedPdo<'_>, parts: &mut Parts<'_>, image: &mut Image<'_>) {
 fn entry(mapped: &PdoEntry, parts: &mut Parts<'_>, image: &mut Image<'_>) {
     let entry = &parts.model.entries[mapped.entry];
     let (text, loss) = parts.strings.number(&entry.name.value);
-    loss.into_iter().for_each(|loss| parts.losses.add(loss, entry.address, entry.name.span()));
+    if let Some(loss) = loss {
+        parts.losses.add(loss, entry.address, entry.name.span());
+    }
     let name = |what: &str| format!("  {}, {what}", entry.address);
     let ty = entry.ty.value;
     image.word(Said::Profile, &name("index"), entry.address.index);
@@ -238,7 +240,7 @@ fn entry(mapped: &PdoEntry, parts: &mut Parts<'_>, image: &mut Image<'_>) {
     image.byte(Said::Profile, named(&name("name"), text, &parts.strings), text);
     let code = u8::try_from(ty.cia301_code()).unwrap_or(0);
     image.byte(Said::Profile, name(&format!("type: {}", ty.cia301_name())), code);
-    let bits = u8::try_from(mapped.bits.value).unwrap_or(u8::MAX);
+    let bits = mapped.bits.value;
     image.byte(Said::Profile, name(&format!("bits: {bits}")), bits);
     image.word(Said::Format, &name("flags"), 0);
 }
@@ -263,8 +265,8 @@ fn op_mode(place: u32, mode: &OpMode<'_>, parts: &mut Parts<'_>, image: &mut Ima
     let (title, text) = (number(mode.name, parts), mode.text.map_or(0, |text| number(text, parts)));
     let cycle = name("cycle of SYNC0");
     image.long(said(mode.sync0, &cycle), &name("cycle of SYNC0 in ns, 0 that of the master"), cycle0);
-    let shifts = [("SYNC0", mode.sync0, shift0), ("SYNC1", mode.sync1, shift1)];
-    for (which, sync, shift) in shifts {
+    let signals = [("SYNC0", mode.sync0, shift0), ("SYNC1", mode.sync1, shift1)];
+    for (which, sync, shift) in signals {
         let key = name(&format!("shift of {which}"));
         image.long(said(sync, &key), &name(&format!("shift of {which} in ns")), shift.cast_unsigned());
     }

@@ -5,7 +5,7 @@ use super::image::{Image, Said};
 use super::loss::Loss;
 use crate::model::{MailboxProtocol, SyncManagerUse};
 
-/// Bytes of a KiBit, the unit of the size.
+/// The size is counted in units of 1024 bits.
 const KIBIT: u32 = 128;
 
 pub(super) fn write<'m>(parts: &mut Parts<'m>) -> Image<'m> {
@@ -41,7 +41,7 @@ fn config(parts: &Parts<'_>, image: &mut Image<'_>) {
     image.word(Said::Format, "Checksum of words 0 to 6", u16::from(checksum(&bytes)));
 }
 
-/// CRC-8 with the polynomial 07h, started with FFh.
+/// CRC-8 with the polynomial 07h, started with all ones.
 pub(super) fn checksum(bytes: &[u8]) -> u8 {
     bytes.iter().fold(0xFF, |crc, byte| {
         (0..8).fold(crc ^ byte, |crc, _| if crc & 0x80 == 0 { crc << 1 } else { (crc << 1) ^ 0x07 })

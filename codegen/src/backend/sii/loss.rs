@@ -34,10 +34,6 @@ losses! {
         "the PDO is not listed, since it carries nothing by default"
         "masters take a PDO without entries for a defect"
         "nothing; its mapping object is in the drive's dictionary";
-    LongPdo PLACE
-        "the PDO is not listed, since an entry has over 255 bits"
-        "the length of an entry is a byte"
-        "correct `bits` of its rows";
     PdosTooLong PLACE
         "the PDO is not listed, since the ones before it fill the category"
         "the length of a category is 16 bits"

@@ -2,7 +2,7 @@
 //! listing of the same bytes that people can read.
 //!
 //! [`header`] has the 64 words that every slave has, [`categories`] what follows them, [`image`] the bytes with their
-//! meaning, from which both files come. The image serves a virtual drive. It ends with the end marker; an EEPROM holds FFh
+//! meaning, from which both files come. The image serves a virtual drive. It ends with the end marker; an EEPROM has ones
 //! behind it. A binary file cannot say that it is not the maker's and must not be written to hardware: the [`listing`] does.
 //!
 //! Addresses, mailbox and synchronization come from [`super::ethercat`], which an ESI shares. All PDOs of a direction are
