@@ -66,8 +66,8 @@ fn what_nobody_states_follows_rules_and_is_listed() {
     assert_eq!(active, [true, true, false]);
     let assumed = assumed(&device);
     for line in [
-        "product code = 0",
-        "active TxPDO = 1A00h",
+        "Product code = 0",
+        "Active TxPDO = 1A00h",
         "SyncManager 3, start = 1180h",
         "CoE, complete access = no",
     ] {

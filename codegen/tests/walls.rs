@@ -51,6 +51,7 @@ const KNOWERS: &[(&str, &[&str])] = &[
     ("annotate_snippets", &["diag/render.rs"]),
     ("use ::toml", &["raw/toml.rs"]),
     ("minijinja", &["backend/rust"]),
+    ("quick_xml", &["backend/esi/xml.rs"]),
 ];
 
 /// The only files that may touch the file system or the environment.

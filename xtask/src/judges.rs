@@ -3,17 +3,23 @@
 //! Everything installed is pinned by hash. Without Python, its module venv or a network, the judges are skipped and the
 //! reason is said; a package whose hash is wrong is a failure.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::{env, fs};
 
 use crate::Options;
 use crate::outcome::Outcome;
 
-/// Judges of an EDS: name of the script, and whether it also takes `model.json`.
-const OF_EDS: &[(&str, bool)] = &[("eds_canopen", true), ("eds_dcfchk", false)];
-/// The same of an SII image.
-const OF_SII: &[(&str, bool)] = &[("sii", true), ("sii_ebpfcat", false)];
+/// Judges of a kind of file: name of the script, and whether it also takes `model.json`.
+type Judges = &'static [(&'static str, bool)];
+/// Folder and extension of each kind of file that is judged, with its judges.
+const KINDS: &[(&str, &str, Judges)] = &[
+    ("eds", "eds", &[("eds_canopen", true), ("eds_dcfchk", false)]),
+    ("esi", "xml", &[("esi_model", true)]),
+    ("sii", "bin", &[("sii", true), ("sii_ebpfcat", false)]),
+];
+/// Names the folder with the schemas of ETG.2000: a folder a version, each with an `EtherCATInfo.xsd`.
+const SCHEMAS: &str = "ETG_XSD_DIR";
 /// What pip installs, in this order, and with which options. The first builds what of the second comes as source.
 const PACKAGES: &[(&str, &[&str])] = &[("build.txt", &[]), ("requirements.txt", &["--no-build-isolation"])];
 /// What pip says when it cannot reach an index.
@@ -45,15 +51,26 @@ pub fn run(root: &Path, options: &Options, step: &mut dyn FnMut(&str, &mut dyn F
         Ok(python) => ask(python, &judges.join("golden.py"), root, false, quiet),
         Err(why) => Outcome::Skipped(why.clone()),
     });
-    for (folder, extension, judging) in [("eds", "eds", OF_EDS), ("sii", "bin", OF_SII)] {
-        let files = generated(root, folder, extension);
+    step("ESI of golden cases", &mut || match &python {
+        Ok(python) => ask(python, &judges.join("esi_model.py"), root, false, quiet),
+        Err(why) => Outcome::Skipped(why.clone()),
+    });
+    step("schemas of ETG.2000", &mut || match &python {
+        Ok(_) if env::var_os(SCHEMAS).is_none() => {
+            Outcome::Skipped(format!("{SCHEMAS} does not name a folder with the schemas, which are not ours"))
+        }
+        Ok(python) => ask(python, &judges.join("esi_schema.py"), root, false, quiet),
+        Err(why) => Outcome::Skipped(why.clone()),
+    });
+    for (folder, extension, judging) in KINDS {
+        let files = files_of(root, folder, extension);
         if files.is_empty() {
             let reason = format!("there is no {folder}/*.{extension} below generated/");
             step(&format!("judges of {folder}"), &mut || Outcome::Skipped(reason.clone()));
         }
         for file in files {
             let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            for (judge, with_model) in judging {
+            for (judge, with_model) in *judging {
                 step(&format!("{judge} {name}"), &mut || match &python {
                     Ok(python) => ask(python, &judges.join(format!("{judge}.py")), &file, *with_model, quiet),
                     Err(why) => Outcome::Skipped(why.clone()),
@@ -64,7 +81,7 @@ pub fn run(root: &Path, options: &Options, step: &mut dyn FnMut(&str, &mut dyn F
 }
 
 /// Every `generated/<package>/<folder>/*.<extension>`, in path order.
-fn generated(root: &Path, folder: &str, extension: &str) -> Vec<PathBuf> {
+fn files_of(root: &Path, folder: &str, extension: &str) -> Vec<PathBuf> {
     let list = |folder: &Path| -> Vec<PathBuf> {
         let entries = fs::read_dir(folder).into_iter().flatten().flatten();
         entries.map(|entry| entry.path()).collect()

@@ -13,11 +13,7 @@ pub(crate) fn tables(json: &Value, lines: &mut Lines) {
         lines.fact(&format!("abort {}", text(&abort["at"])), "name", &abort["name"]);
     }
     each(&json["terminals"], |row| terminal(row, lines));
-    for (table, kind) in [("sync_managers", "sync manager"), ("fmmus", "fmmu")] {
-        for each in list(&json[table]) {
-            lines.fact(&format!("{kind} {}", each["number"]), "use", &each["use"]);
-        }
-    }
+    ethercat(json, lines);
     for part in list(&json["emcy"]) {
         let key = format!("emcy {}", part["byte"]);
         lines.facts(&key, part, &["bytes", "holds"]);
@@ -28,6 +24,41 @@ pub(crate) fn tables(json: &Value, lines: &mut Lines) {
     }
     each(&json["examples"], |row| example(row, lines));
     each(&json["errata"], |row| erratum(row, lines));
+}
+
+fn ethercat(json: &Value, lines: &mut Lines) {
+    let whole = &json["ethercat"];
+    lines.facts("ethercat", whole, &["type", "group", "physics", "revision_check"]);
+    lines.words("ethercat", "mailbox", &whole["mailbox"]);
+    lines.hex_list("ethercat", "config", &whole["config"]);
+    lines.hex_list("ethercat", "bootstrap", &whole["bootstrap"]);
+    lines.fact("ethercat", "eeprom_bytes", &whole["eeprom_bytes"]);
+    for manager in list(&json["sync_managers"]) {
+        let key = format!("sync manager {}", manager["number"]);
+        lines.fact(&key, "use", &manager["use"]);
+        lines.hex(&key, "start", &manager["start"], 4);
+        lines.facts(&key, manager, &["size", "min_size", "max_size"]);
+        lines.hex(&key, "control", &manager["control"], 2);
+        lines.fact(&key, "enable", &manager["enable"]);
+    }
+    for fmmu in list(&json["fmmus"]) {
+        lines.fact(&format!("fmmu {}", fmmu["number"]), "use", &fmmu["use"]);
+    }
+    for coe in list(&json["coe"]) {
+        lines.fact(&format!("coe {}", text(&coe["feature"])), "supported", &coe["supported"]);
+    }
+    for mode in list(&json["dc_modes"]) {
+        let key = format!("dc mode {}", mode["number"]);
+        lines.facts(&key, mode, &["name", "sync"]);
+        lines.hex(&key, "assign_activate", &mode["assign_activate"], 4);
+        lines.facts(&key, mode, &["cycle0", "shift0", "cycle1", "shift1"]);
+        lines.own(&key, mode, &["text"]);
+    }
+    for startup in list(&json["startup"]) {
+        let key = format!("startup {}", startup["number"]);
+        lines.facts(&key, startup, &["transition", "write", "value"]);
+        lines.own(&key, startup, &["text"]);
+    }
 }
 
 fn homing(method: &Value, lines: &mut Lines) {

@@ -87,6 +87,14 @@ impl Lines {
             self.put(key, field, fact, &format!("0x{n:0digits$X}"));
         }
     }
+
+    fn hex_list(&mut self, key: &str, field: &str, fact: &Value) {
+        if !fact.is_null() {
+            let words = list(&fact["value"]).iter().map(|n| n.as_u64().expect("a number"));
+            let texts: Vec<String> = words.map(|n| format!("0x{n:04X}")).collect();
+            self.put(key, field, fact, &texts.join(" "));
+        }
+    }
 }
 
 fn from_json(json: &Value) -> BTreeSet<Line> {

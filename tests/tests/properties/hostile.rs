@@ -29,6 +29,9 @@ enums = [ { name = <table>, value = 0, label = <label>, text = <meaning>, src = 
 bits = [ { name = <table of bits>, bit = 0, label = <bit>, text = <effect>, src = "L5" }, { name = <table of bits>, bit = 1, label = "on", src = "L5" } ]
 alarms = [ { display = <display>, number = 1, code = 1, name = <alarm>, causes = [<cause>], remedies = [<remedy>], src = "L6" } ]
 pdo = [ { map = 0x1600, dir = "rx", pos = 1, entry = "2001:00", bits = 16, src = "L7" } ]
+ethercat = [ { type = <type>, group = <group>, src = "L8" } ]
+dc_modes = [ { number = 1, name = <mode>, sync = "sync0", text = <follows>, src = "L9" } ]
+startup = [ { number = 1, transition = "PS", write = "2000:00", value = 1, text = <reason to write>, src = "L9" } ]
 errata = [ { id = <erratum>, at = "2000:00", field = "max", was = 9, seen = "1 L2", set = 8, why = <why>, sure = "high" } ]
 [drive]
 format = 1
@@ -322,6 +325,10 @@ fn unescaped_texts_are_seen() {
         ("src/enums.rs", "Calm label", "<b>"),
         ("eds/acme-x1.eds", "Calm name", "x\r\n[6040]"),
         ("eds/acme-x1.eds", "Calm name", "x;y"),
+        ("esi/acme-x1.xml", "Calm name", "<x/>"),
+        ("esi/acme-x1.xml", "Calm name", "x & y"),
+        ("esi/acme-x1.xml", "Calm name", "\u{202E}"),
+        ("esi/acme-x1.xml", "Calm title", "-- x"),
         ("map.txt", "Calm name", "x\ny"),
         ("map.txt", "Calm name", "\u{202E}"),
         ("model.json", "Calm name", "\", \"x\": \""),

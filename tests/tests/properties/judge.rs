@@ -49,6 +49,7 @@ fn shape(path: &str, bytes: &[u8]) -> Result<String, String> {
     match path.rsplit_once('.').map(|(_, extension)| extension) {
         Some("rs") => Ok(format!("{:?} {:?}", rust(text)?, docs(text))),
         Some("eds") => sheet(text),
+        Some("xml") => elements(text),
         Some("txt") if path.starts_with("sii/") => listing(text),
         Some("txt") => Ok(format!("{:?}", lines(text)?)),
         Some("json") => json(text).map(|value| kinds(&value)),
@@ -79,6 +80,27 @@ fn listing(text: &str) -> Result<String, String> {
     let hex = |line: &str| line.get(..4).is_some_and(|at| at.bytes().all(|b| b.is_ascii_hexdigit()));
     let wrong = head.lines().find(|l| !l.starts_with('#')).or(fields.lines().find(|l| !hex(l)));
     wrong.map_or_else(|| Ok("comments, fields".into()), |line| Err(format!("a line of its own: {line:?}")))
+}
+
+/// The elements of a document with their attributes, in order. No text of it hides anything.
+fn elements(text: &str) -> Result<String, String> {
+    let document = roxmltree::Document::parse(text).map_err(|e| e.to_string())?;
+    let mut out = String::new();
+    for node in document.descendants() {
+        let texts = node.text().into_iter().chain(node.attributes().map(|a| a.value()));
+        if let Some(hidden) = texts.into_iter().find(|t| t.contains(|c| hides(c) && c != '\n')) {
+            return Err(format!("hidden: {hidden:?}"));
+        }
+        if node.is_element() {
+            let attributes: Vec<&str> = node.attributes().map(|a| a.name()).collect();
+            out += &format!(
+                "{}{} {attributes:?}\n",
+                " ".repeat(node.ancestors().count()),
+                node.tag_name().name()
+            );
+        }
+    }
+    Ok(out)
 }
 
 /// How many lines there are. None of them holds a sign that would hide or reorder it.

@@ -129,7 +129,7 @@ impl Types {
             lose(Loss::LengthUnknown);
         }
         let base = self.plain(base(ty, text_bytes(entry)));
-        let Some(id) = entry.values.as_ref().map(|v| v.value).filter(|_| ty.is_integer()) else {
+        let Some(id) = entry.values.as_ref().map(|v| v.value).filter(|_| ty.range().is_some()) else {
             return base;
         };
         if let Some(named) = self.named.get(&(id, ty)) {
