@@ -92,12 +92,12 @@ fn elements(text: &str) -> Result<String, String> {
             return Err(format!("hidden: {hidden:?}"));
         }
         if node.is_element() {
-            let attributes: Vec<&str> = node.attributes().map(|a| a.name()).collect();
-            out += &format!(
-                "{}{} {attributes:?}\n",
-                " ".repeat(node.ancestors().count()),
-                node.tag_name().name()
-            );
+            let attributes: Vec<String> = node.attributes().map(|a| format!(" {}", a.name())).collect();
+            let depth = node.ancestors().count();
+            out.push_str(&" ".repeat(depth));
+            out.push_str(node.tag_name().name());
+            out.push_str(&attributes.join(","));
+            out.push('\n');
         }
     }
     Ok(out)

@@ -190,7 +190,9 @@ fn coe(model: &Model, device: &Device<'_>, xml: &mut Xml) {
         return;
     }
     xml.element("CoE", &attributes, |xml| {
-        commands.iter().for_each(|(startup, data)| init_command(startup, data, xml));
+        for (startup, data) in &commands {
+            init_command(startup, data, xml);
+        }
     });
 }
 

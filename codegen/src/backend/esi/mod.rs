@@ -6,7 +6,7 @@
 //! what the format cannot hold is a [`loss`].
 //!
 //! Two readers cannot be served at once where a drive can choose between PDOs: one that is not active by default has no
-//! attribute `Sm`, which masters and KickCAT need to get the length of process data right; the crate ethercat-esi demands it.
+//! attribute `Sm`, which masters need to get the length of process data right; the crate ethercat-esi demands it.
 
 mod alarms;
 mod comments;

@@ -1,5 +1,7 @@
 //! Values as bytes: little-endian hexadecimal digits of the full width of the type.
 
+use std::fmt::Write;
+
 use super::loss::Loss;
 use crate::model::{Entry, Fact, Type, Value};
 
@@ -29,20 +31,29 @@ pub(super) fn bytes(ty: Type, value: i128) -> Option<String> {
             let all = value.to_le_bytes();
             (least..=most).contains(&value).then(|| digits(all.get(..usize::from(bits / 8)).unwrap_or(&all)))
         }
-        Type::Real { bits: 32 } => exact(value, 24).then(|| digits(&(value as f32).to_le_bytes())),
-        Type::Real { .. } => exact(value, 53).then(|| digits(&(value as f64).to_le_bytes())),
+        Type::Real { bits } => real(value, bits),
         _ => None,
     }
 }
 
-/// Whether a whole number has at most `bits` bits, so that a real holds it as it is.
-fn exact(value: i128, bits: u32) -> bool {
-    value.unsigned_abs() <= 1 << bits
+/// The bytes of a whole number as a real; `None` if the real is another number.
+#[allow(clippy::cast_precision_loss, reason = "numbers of more bits than the mantissa has are left out")]
+fn real(value: i128, bits: u8) -> Option<String> {
+    let size = value.unsigned_abs();
+    match bits {
+        32 => (size <= 1 << 24).then(|| digits(&(value as f32).to_le_bytes())),
+        _ => (size <= 1 << 53).then(|| digits(&(value as f64).to_le_bytes())),
+    }
 }
 
 /// Hexadecimal digits of bytes.
 pub(super) fn digits(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02X}")).collect()
+    let mut out = String::with_capacity(bytes.len() * 2);
+    for byte in bytes {
+        // Writing to a String cannot fail.
+        let _ = write!(out, "{byte:02X}");
+    }
+    out
 }
 
 /// Limits and default of an entry; the unit is another matter.

@@ -45,6 +45,7 @@ impl Xml {
     }
 
     /// An element with attributes that holds a text.
+    #[allow(clippy::needless_pass_by_value, reason = "callers hand over numbers and texts alike")]
     pub(super) fn text_with(&mut self, name: &str, attributes: Attributes<'_>, text: impl ToString) {
         let text = escape::xml(&text.to_string());
         self.element(name, attributes, |xml| xml.event(Event::Text(BytesText::from_escaped(text))));

@@ -132,12 +132,15 @@ fn manager(
         },
         |fact| fact.value,
     );
-    let active = row.and_then(|r| r.enable.as_ref()).map(|f| f.value).unwrap_or_else(|| {
-        take("active", u16::from(size > 0), (size > 0).to_string(), ENABLE);
-        size > 0
-    });
+    let enable = row.and_then(|r| r.enable.as_ref()).map_or_else(
+        || {
+            take("active", u16::from(size > 0), (size > 0).to_string(), ENABLE);
+            size > 0
+        },
+        |fact| fact.value,
+    );
     let min_size = stated(|r| r.min_size.as_ref().map(|f| f.value));
-    Manager { number, carries, start, size, min_size, max_size, control, enable: active }
+    Manager { number, carries, start, size, min_size, max_size, control, enable }
 }
 
 fn default_size(carries: SyncManagerUse, pdos: &[AssignedPdo<'_>]) -> (u16, &'static str) {
