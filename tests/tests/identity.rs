@@ -1,4 +1,4 @@
-//! One identity in every generated file: 1018h of the model, of the EDS, of the ESI, and what their heads say.
+//! One identity in every generated file: 1018h of the model, of the EDS, of the ESI, and what their heads and the SII say.
 //!
 //! The files are those of `generated/`, read without drivewright.
 
@@ -87,6 +87,24 @@ fn of_esi(text: &str) -> [Identity; 2] {
     [[info.vendor.id, device.product_code, device.revision_no].map(u64::from), own]
 }
 
+/// Words 8 to 15 of an SII: vendor, product, revision, serial number.
+fn of_sii(image: &[u8]) -> [u64; 4] {
+    [16, 20, 24, 28].map(|at| {
+        let bytes = image.get(at..at + 4).expect("four bytes of the image");
+        u64::from(u32::from_le_bytes(bytes.try_into().expect("four")))
+    })
+}
+
+/// The image of a package, if there is one.
+fn image(package: &Path) -> Option<Vec<u8>> {
+    let folder = package.join("sii");
+    let files = if folder.is_dir() { drivewright_tests::cases::entries(&folder) } else { Vec::new() };
+    let mut images = files.iter().filter(|file| file.extension().is_some_and(|e| e == "bin"));
+    let found = images.next().map(|file| std::fs::read(file).expect("an image"));
+    assert!(images.next().is_none(), "{}: several images", folder.display());
+    found
+}
+
 fn little_endian(digits: &str) -> u64 {
     let byte = |at: usize| u64::from_str_radix(&digits[at..at + 2], 16).expect("a byte");
     (0..digits.len()).step_by(2).rev().fold(0, |sum, at| sum << 8 | byte(at))
@@ -103,6 +121,10 @@ fn identities(package: &Path) -> Vec<(&'static str, Identity)> {
         let [head, own] = of_esi(&esi);
         found.extend([("head of the ESI", head), ("1018h of the ESI", own)]);
     }
+    if let Some(image) = image(package) {
+        let [vendor, product, revision, _] = of_sii(&image);
+        found.push(("SII", [vendor, product, revision]));
+    }
     found
 }
 
@@ -114,6 +136,18 @@ fn one_identity_in_every_file() {
         for (place, identity) in &found {
             assert_eq!(identity, &found[0].1, "{}: {place}", package.display());
         }
+    }
+}
+
+/// Only the objects and the SII have a serial number; a drive without the object has 0 there.
+#[test]
+fn one_serial_number() {
+    for package in packages() {
+        let Some(image) = image(&package) else { continue };
+        let eds = only(&package, "eds").expect("an EDS");
+        let own = sections(&eds).get("1018sub4").and_then(|keys| keys.get("DefaultValue").copied());
+        let own = own.filter(|text| !text.is_empty()).map_or(0, number);
+        assert_eq!(of_sii(&image)[3], own, "{}", package.display());
     }
 }
 
@@ -140,5 +174,33 @@ fn another_identity_is_seen() {
     for (start, digits) in [("<Id>#x", 8), ("ProductCode=\"#x", 8), ("RevisionNo=\"#x", 8)] {
         let at = esi.find(start).expect("the number") + start.len();
         assert_ne!(of_esi(&changed(&esi, &esi[..at + digits])), right, "{start}");
+    }
+}
+
+#[test]
+fn another_identity_of_objects_and_of_the_image_is_seen() {
+    let package = &packages()[0];
+    let eds = only(package, "eds").expect("a file");
+    let right = of_eds(&eds);
+    for sub in ["1018sub1", "1018sub2", "1018sub3"] {
+        let at = eds.find(&format!("[{sub}]")).expect("the section");
+        let value = at + eds[at..].find("DefaultValue=").expect("the default");
+        let end = value + eds[value..].find('\r').expect("the end of the line");
+        let digit = if eds[..end].ends_with('1') { "2" } else { "1" };
+        assert_ne!(of_eds(&format!("{}{digit}{}", &eds[..end - 1], &eds[end..])), right, "{sub}");
+    }
+    let model = read(&package.join("model.json"));
+    for number in of_model(&model) {
+        let from = format!(": {number}");
+        let identity = model.find("\"identity\"").expect("the identity");
+        let at = identity + model[identity..].find(&from).expect("the number") + from.len();
+        let digit = if from.ends_with('1') { "2" } else { "1" };
+        assert_ne!(of_model(&format!("{}{digit}{}", &model[..at - 1], &model[at..])), of_model(&model));
+    }
+    let image = image(package).expect("an image");
+    for at in 16..32 {
+        let mut changed = image.clone();
+        changed[at] ^= 1;
+        assert_ne!(of_sii(&changed), of_sii(&image), "byte {at}");
     }
 }

@@ -11,8 +11,14 @@ use crate::Options;
 use crate::outcome::Outcome;
 use crate::outside;
 
-/// Judges of an EDS: name of the script, and whether it also takes `model.json`.
-const OF_EDS: &[(&str, bool)] = &[("eds_canopen", true), ("eds_dcfchk", false)];
+/// Judges of a kind of file: name of the script, and whether it also takes `model.json`.
+type Judges = &'static [(&'static str, bool)];
+/// Folder and extension of each kind of file that is judged, with its judges.
+const KINDS: &[(&str, &str, Judges)] = &[
+    ("eds", "eds", &[("eds_canopen", true), ("eds_dcfchk", false)]),
+    ("esi", "xml", &[("esi_model", true)]),
+    ("sii", "bin", &[("sii", true), ("sii_ebpfcat", false)]),
+];
 /// Names the folder with the schemas of ETG.2000: a folder a version, each with an `EtherCATInfo.xsd`.
 const SCHEMAS: &str = "ETG_XSD_DIR";
 /// What pip installs, in this order, and with which options. The first builds what of the second comes as source.
@@ -61,24 +67,20 @@ pub fn run(root: &Path, options: &Options, step: &mut dyn FnMut(&str, &mut dyn F
         Ok(python) => ask(python, &judges.join("esi_schema.py"), root, false, quiet),
         Err(why) => Outcome::Skipped(why.clone()),
     });
-    for file in files_of(root, "esi", "xml") {
-        let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        step(&format!("esi_model {name}"), &mut || match &python {
-            Ok(python) => ask(python, &judges.join("esi_model.py"), &file, true, quiet),
-            Err(why) => Outcome::Skipped(why.clone()),
-        });
-    }
-    let files = files_of(root, "eds", "eds");
-    if files.is_empty() {
-        step("judges of EDS", &mut || Outcome::Skipped("there is no EDS below generated/".to_owned()));
-    }
-    for file in files {
-        let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        for (judge, with_model) in OF_EDS {
-            step(&format!("{judge} {name}"), &mut || match &python {
-                Ok(python) => ask(python, &judges.join(format!("{judge}.py")), &file, *with_model, quiet),
-                Err(why) => Outcome::Skipped(why.clone()),
-            });
+    for (folder, extension, judging) in KINDS {
+        let files = files_of(root, folder, extension);
+        if files.is_empty() {
+            let reason = format!("there is no {folder}/*.{extension} below generated/");
+            step(&format!("judges of {folder}"), &mut || Outcome::Skipped(reason.clone()));
+        }
+        for file in files {
+            let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            for (judge, with_model) in *judging {
+                step(&format!("{judge} {name}"), &mut || match &python {
+                    Ok(python) => ask(python, &judges.join(format!("{judge}.py")), &file, *with_model, quiet),
+                    Err(why) => Outcome::Skipped(why.clone()),
+                });
+            }
         }
     }
 }

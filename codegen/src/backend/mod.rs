@@ -10,6 +10,7 @@ mod losses;
 pub mod map;
 mod prose;
 pub mod rust;
+pub mod sii;
 mod template;
 mod unique;
 
@@ -31,7 +32,7 @@ pub trait Backend: Sync {
 }
 
 /// Every backend, in the order of output.
-pub const ALL: &[&dyn Backend] = &[&rust::Rust, &eds::Eds, &esi::Esi, &json::Json, &map::Map, &docs::Docs];
+pub const ALL: &[&dyn Backend] = &[&rust::Rust, &eds::Eds, &esi::Esi, &sii::Sii, &json::Json, &map::Map, &docs::Docs];
 
 #[cfg(test)]
 mod tests {

@@ -154,18 +154,18 @@ fn makes_link(before: &str, rest: &str) -> bool {
 /// A value in an INI file (EDS, DCF): one line of printable ASCII without the signs that some reader takes for a comment,
 /// an escape or a quote. What ASCII cannot say becomes `?`.
 pub fn ini(text: &str) -> String {
-    let ascii: String = one_line(text)
-        .replace('#', "No.")
-        .chars()
-        .map(|c| match c {
-            ';' => ',',
-            '\\' => '/',
-            c if c.is_ascii() => c,
-            'µ' | 'μ' => 'u',
-            _ => '?',
-        })
-        .collect();
+    let ascii = sii(text).replace('#', "No.").replace(';', ",").replace('\\', "/");
     ascii.trim_start_matches([' ', '"', '\'']).trim_end().to_owned()
+}
+
+/// A string of an SII: one line of printable ASCII, in which no sign has a meaning. What ASCII cannot say becomes `?`.
+pub fn sii(text: &str) -> String {
+    let ascii = |c| match c {
+        'µ' | 'μ' => 'u',
+        c if char::is_ascii(&c) => c,
+        _ => '?',
+    };
+    one_line(text).chars().map(ascii).collect()
 }
 
 /// Text or the value of an attribute in XML 1.0: one line of characters that XML can hold, in which none has a meaning of its
@@ -225,6 +225,13 @@ mod tests {
         let out = ini(HOSTILE);
         assert!(!out.contains('\n') && out.is_ascii() && !out.contains('\0'));
         assert_eq!(ini("\"Motor\" #1; C:\\x µm"), "Motor\" No.1, C:/x um");
+    }
+
+    #[test]
+    fn strings_of_an_sii_are_printable_ascii() {
+        assert!(sii(HOSTILE).bytes().all(|b| (0x20..0x7F).contains(&b)), "{}", sii(HOSTILE));
+        // Text that ends with zero bytes is a defect that masters know.
+        assert_eq!(sii("X1 #2; 3 µm é\0\0"), "X1 #2; 3 um ?");
     }
 
     #[test]

@@ -23,31 +23,63 @@ pub(crate) fn harm(files: &FileSet, calm: &Shapes, kept: Option<&str>) -> Option
     }
     let other = found.iter().find(|(path, shape)| shape.is_err() || calm.get(*path) != Some(shape));
     let judged = other.map(|(path, shape)| {
-        format!("{path}: {shape:#?}\nnot {:#?}\n{}", calm[path], text(files.get(path).unwrap_or_default()))
+        format!(
+            "{path}: {shape:#?}\nnot {:#?}\n{}",
+            calm[path],
+            String::from_utf8_lossy(files.get(path).unwrap_or_default())
+        )
     });
     judged.or_else(|| kept.and_then(|text| lost(files, text)))
 }
 
 /// The shape of each file.
 pub(crate) fn shapes(files: &FileSet) -> Shapes {
-    files.iter().map(|(path, bytes)| (path.to_string(), shape(path.as_str(), text(bytes)))).collect()
+    files.iter().map(|(path, bytes)| (path.to_string(), shape(path.as_str(), bytes))).collect()
 }
 
 fn text(bytes: &[u8]) -> &str {
     std::str::from_utf8(bytes).expect("UTF-8")
 }
 
-fn shape(path: &str, text: &str) -> Result<String, String> {
+fn shape(path: &str, bytes: &[u8]) -> Result<String, String> {
+    if path.ends_with(".bin") {
+        return categories(bytes);
+    }
+    let text = text(bytes);
     match path.rsplit_once('.').map(|(_, extension)| extension) {
         Some("rs") => Ok(format!("{:?} {:?}", rust(text)?, docs(text))),
         Some("eds") => sheet(text),
         Some("xml") => elements(text),
+        Some("txt") if path.starts_with("sii/") => listing(text),
         Some("txt") => Ok(format!("{:?}", lines(text)?)),
         Some("json") => json(text).map(|value| kinds(&value)),
         Some("md") => Ok(format!("{:?} {:?}", lines(text)?, markup(text))),
         Some("toml") => Ok(format!("{:?} {:?}", lines(text)?, keys(text)?)),
         _ => Err("a format that nobody judges".into()),
     }
+}
+
+/// The kinds of the categories of an SII, which end with the image.
+fn categories(image: &[u8]) -> Result<String, String> {
+    let word = |at: usize| {
+        let bytes = image.get(at..at + 2).ok_or("the image ends in a category")?;
+        Ok::<_, String>(u16::from_le_bytes([bytes[0], bytes[1]]))
+    };
+    let (mut at, mut kinds) = (128, Vec::new());
+    while word(at)? != 0xFFFF {
+        kinds.push(word(at)?);
+        at += 4 + 2 * usize::from(word(at + 2)?);
+    }
+    if at + 2 == image.len() { Ok(format!("{kinds:?}")) } else { Err("bytes behind the end".into()) }
+}
+
+/// A listing has comments, and then a line for each field; how many there are depends on which texts are the same.
+fn listing(text: &str) -> Result<String, String> {
+    lines(text)?;
+    let (head, fields) = text.split_once("\n\n").ok_or("no field")?;
+    let hex = |line: &str| line.get(..4).is_some_and(|at| at.bytes().all(|b| b.is_ascii_hexdigit()));
+    let wrong = head.lines().find(|l| !l.starts_with('#')).or(fields.lines().find(|l| !hex(l)));
+    wrong.map_or_else(|| Ok("comments, fields".into()), |line| Err(format!("a line of its own: {line:?}")))
 }
 
 /// The elements of a document with their attributes, in order. No text of it hides anything.

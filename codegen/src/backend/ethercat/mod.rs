@@ -35,6 +35,11 @@ impl Assumptions {
         self.0.iter()
     }
 
+    /// Whether the value of that name is one of them.
+    pub fn holds(&self, what: &str) -> bool {
+        self.0.iter().any(|assumed| assumed.what == what)
+    }
+
     /// One sentence for each reason, with all that it explains.
     pub fn sentences(&self) -> Vec<String> {
         let mut reasons: Vec<(&str, Vec<String>)> = Vec::new();
