@@ -11,7 +11,9 @@ mod arguments;
 mod audit;
 mod commands;
 mod coverage;
+mod diff;
 mod drives;
+mod git;
 mod output;
 
 use std::process::ExitCode;

@@ -8,6 +8,7 @@ mod build;
 pub mod check;
 pub mod coverage;
 pub mod diag;
+pub mod diff;
 pub mod emit;
 pub mod facts;
 pub mod limits;
