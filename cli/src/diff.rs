@@ -3,14 +3,15 @@
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
-use drivewright_codegen::diag::render::Style;
+use drivewright_codegen::compile_folder;
+use drivewright_codegen::diag::render::{self, Style};
 use drivewright_codegen::diff::{
     Effect, Listing, Report, compare, json::json, markdown, markdown::markdown, text::text,
 };
 
 use crate::End;
 use crate::arguments::{DiffArguments, DiffFormat, FailOn};
-use crate::drives::{all, folder, open};
+use crate::drives::{all, folder};
 use crate::git::{Object, Revision};
 use crate::output::{disk, print};
 
@@ -81,14 +82,19 @@ fn side(named: &str) -> Result<Listing, End> {
                 End::Usage
             })
         }
-        _ => compiled(folder(named)?),
+        _ => compiled(&folder(named)?, named),
     }
 }
 
-fn compiled(folder: PathBuf) -> Result<Listing, End> {
-    let found = open(folder)?;
-    let model = found.compiled.model.as_ref().ok_or(End::Findings)?;
-    Listing::of(model).map_err(|error| refused(&found.id, &error))
+/// The profile in `folder`. Its findings are shown here: a revision's folder is gone when the program ends.
+fn compiled(folder: &Path, named: &str) -> Result<Listing, End> {
+    let (compiled, _) = compile_folder(folder);
+    let Some(model) = compiled.sound() else {
+        eprint!("{}", render::text(&compiled.diagnostics, &compiled.sources, Style::default()));
+        let summary = render::summary(&compiled.diagnostics).unwrap_or_default();
+        return Err(refused(named, &format!("it has {summary}")));
+    };
+    Listing::of(model).map_err(|error| refused(named, &error))
 }
 
 fn parsed(text: &str, named: &str) -> Result<Listing, End> {
@@ -103,7 +109,7 @@ fn refused(named: &str, error: &dyn std::fmt::Display) -> End {
 fn listed(object: Object, named: &str) -> Result<Option<Listing>, End> {
     match object {
         Object::Text(text) => parsed(&text, named).map(Some),
-        Object::Folder(copied) => compiled(copied.folder.clone()).map(Some),
+        Object::Folder(copied) => compiled(&copied.folder, named).map(Some),
         Object::Missing => Ok(None),
     }
 }
@@ -134,7 +140,7 @@ fn since(base: &str, drives: &[String]) -> Result<Vec<Report>, End> {
 /// there, the profile of then is compiled by this program and with its bases.
 fn drive_since(base: &str, folder: PathBuf) -> Result<Report, End> {
     let revision = Revision::find(base, &folder)?;
-    let new = compiled(folder)?;
+    let new = compiled(&folder, &folder.display().to_string())?;
     let file = format!("./../../../generated/{}/model.json", new.package);
     let old = match listed(revision.object(&file)?, &format!("{base}:{file}")) {
         Ok(Some(old)) => Some(old),
