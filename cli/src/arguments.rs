@@ -79,6 +79,15 @@ pub(crate) enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Lists what a profile does not state yet: to enable the drive, to commission an axis, and what would be nice.
+    #[command(after_help = "Example:\n  drivewright todo sdv3-e")]
+    Todo {
+        /// Id of a drive below `profiles/`, or the profile's folder.
+        drive: String,
+        /// Print the result as one JSON list.
+        #[arg(long)]
+        json: bool,
+    },
     /// Tells what a revision of a drive means to its users, and which version its crate needs.
     #[command(after_help = DIFF_HELP)]
     Diff(DiffArguments),

@@ -15,7 +15,7 @@ use drivewright_codegen::{Compiled, compile_folder, emit, schema};
 use crate::arguments::{Arguments, Command, Format};
 use crate::drives::folder;
 use crate::output::{counted, disk, print, several};
-use crate::{End, audit, coverage, diff};
+use crate::{End, audit, coverage, diff, todo};
 
 /// Runs the command.
 pub(crate) fn run(arguments: &Arguments) -> End {
@@ -33,6 +33,7 @@ pub(crate) fn run(arguments: &Arguments) -> End {
         Command::Explain { code } => explain(code),
         Command::Audit(asked) => audit::run(asked, quiet),
         Command::Coverage { drives, json } => coverage::run(drives, *json),
+        Command::Todo { drive, json } => todo::run(drive, *json),
         Command::Diff(asked) => diff::run(asked, quiet),
         Command::Lints => print(&codes()),
         Command::Schema => print(&schema::profile_schema()),

@@ -15,6 +15,7 @@ mod diff;
 mod drives;
 mod git;
 mod output;
+mod todo;
 
 use std::process::ExitCode;
 

@@ -22,6 +22,7 @@ pub mod rows;
 pub mod schema;
 pub mod sink;
 pub mod source;
+pub mod todo;
 
 use std::path::{Path, PathBuf};
 

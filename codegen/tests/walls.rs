@@ -23,6 +23,8 @@ const WALLS: &[(&str, &[&str])] = &[
     ("facts", &["raw", "rows", "merge", "resolve", "check", "backend", "sink", "load"]),
     ("schema", &["raw", "merge", "resolve", "check", "backend", "emit", "facts", "sink", "load", "build"]),
     ("audit", &["raw", "merge", "resolve", "check", "backend", "emit", "sink", "load", "build"]),
+    ("diff", &["raw", "rows", "merge", "resolve", "check", "facts", "sink", "load", "build"]),
+    ("todo", &["raw", "rows", "merge", "resolve", "check", "backend", "emit", "sink", "load", "build"]),
     ("coverage", &["raw", "merge", "resolve", "check", "backend", "emit", "sink", "load", "build"]),
     (
         "load",
@@ -43,7 +45,7 @@ const WALLS: &[(&str, &[&str])] = &[
 /// What words and numbers stand on: nothing.
 const EVERYTHING: &[&str] = &[
     "source", "diag", "raw", "rows", "merge", "resolve", "model", "check", "backend", "emit", "facts",
-    "schema", "audit", "coverage", "load", "sink", "build",
+    "schema", "audit", "coverage", "diff", "todo", "load", "sink", "build",
 ];
 
 /// A crate and the only files that may name it.

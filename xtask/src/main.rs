@@ -1,4 +1,4 @@
-//! The project's own commands: `cargo xtask regen`, `cargo xtask test`, `cargo xtask tidy`.
+//! The project's own commands: `cargo xtask regen`, `cargo xtask new`, `cargo xtask test`, `cargo xtask tidy`.
 //!
 //! Exit codes: 0 fine, 1 findings, 2 usage, 3 the disk refused.
 
@@ -6,6 +6,7 @@
 
 mod audits;
 mod judges;
+mod new;
 mod outcome;
 mod regen;
 mod snapshots;
@@ -24,6 +25,7 @@ Commands:
   regen [DRIVE...]   compile every profile (or those named) to every output under generated/
     --check          write nothing; name every missing, changed and orphaned file, and exit 1 if there is one
     --diff           write nothing; show what would change
+  new VENDOR/DRIVE   make a profile that compiles, and list what it does not state yet
   test               run everything and say what was skipped, and why
     --full           add the slow parts
   tidy               check what no other tool knows
@@ -80,6 +82,7 @@ fn run(command: &str, options: &Options) -> End {
     let root = options.root.clone().unwrap_or_else(root);
     match command {
         "regen" => regen::run(&root, options),
+        "new" => new::run(&root, options),
         "test" => test::run(&root, options),
         "tidy" => tidy::run(&root, options),
         other => {

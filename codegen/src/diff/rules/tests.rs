@@ -11,15 +11,17 @@ manuals = [ { id = "m1", title = "T", version = "1", sha256 = "00000000000000000
 objects = [
   { at = "1018:00", name = "Identity", type = "u8", access = "ro", default = 1, src = "1 L1" },
   { at = "1018:01", name = "Vendor", type = "u32", access = "ro", default = 7, src = "1 L1" },
+  { at = "1600:00", name = "Count", type = "u8", access = "rw", default = 2, src = "1 L2" },
   { at = "1600:01", name = "First word", type = "u32", access = "rw", default = 0x20000010, src = "1 L2" },
+  { at = "1600:02", name = "Second word", type = "u32", access = "rw", default = 0x20010008, src = "1 L2" },
   { at = "2000:00", name = "Speed", type = "u16", access = "rw", pdo = "rx", unit = "rpm", min = 1, max = 90, default = 5, parameter = "P1", effect = "at once", text = "Old.", src = "1 L3" },
   { at = "2001:00", name = "Pick", type = "u8", access = "rw", pdo = "rx tx", allow = [1, 2], values = "choice", src = "1 L4" },
   { at = "2002:00", name = "Meter", type = "u16", access = "ro", max = 9, default = 3, src = "1 L5" },
   { at = "607F:00", name = "Highest speed", type = "u32", access = "rw", max = 3000, default = 3000, src = "1 L6" },
   { at = "6502:00", name = "Modes", type = "u32", access = "ro", default = 1, src = "1 L7" },
 ]
-enums = [ { enum = "choice", value = 1, label = "one", src = "1 L8" }, { enum = "choice", value = 2, label = "two", src = "1 L8" } ]
-bits = [ { bits = "flags", bit = 2, label = "run", src = "1 L9" }, { bits = "flags", bit = 4, width = 2, label = "way", src = "1 L9" } ]
+enums = [ { name = "choice", value = 1, label = "one", src = "1 L8" }, { name = "choice", value = 2, label = "two", src = "1 L8" } ]
+bits = [ { name = "flags", bit = 2, label = "run", src = "1 L9" }, { name = "flags", bit = 4, width = 2, label = "way", src = "1 L9" } ]
 alarms = [ { display = "OF", number = 0x25, code = 0x8611, name = "Following", reset = "resettable", causes = ["a"], src = "1 L10" } ]
 pdo = [ { map = 0x1600, dir = "rx", pos = 1, entry = "2000:00", bits = 16, src = "1 L11" }, { map = 0x1600, dir = "rx", pos = 2, entry = "2001:00", bits = 8, src = "1 L11" } ]
 homing = [
@@ -33,7 +35,7 @@ commands = [ { name = "Reset", mask = 0x80, value = 0x80, src = "1 L17" } ]
 aborts = [ { code = 0x06020000, name = "No such object", src = "1 L18" } ]
 io = [ { terminal = "DI1", kind = "input", pin = 1, text = "t", src = "1 L19" }, { terminal = "DI2", kind = "input", pin = 2, src = "1 L19" } ]
 sync_managers = [ { number = 0, use = "mailbox out", src = "1 L20" } ]
-emcy = [ { byte = 0, bytes = 2, holds = "error code", text = "t", src = "1 L22" } ]
+emcy = [ { byte = 0, bytes = 2, holds = "error code", text = "t", src = "1 L22" }, { byte = 2, bytes = 6, holds = "reserved", src = "1 L22" } ]
 rules = [ { id = "R1", text = "r", require = "2000:00 > 0", src = "1 L23" } ]
 [drive]
 format = 1
@@ -53,8 +55,8 @@ pdo_src = "1 L24"
 /// an axis, rule. Fields that follow from others (`byte` of an entry behind) are differences, too.
 type Case = (&'static str, &'static str, &'static [(&'static str, &'static str, &'static str, &'static str)]);
 
-const VALUE_OF_2: &str = r#", { enum = "choice", value = 2, label = "two", src = "1 L8" }"#;
-const SECOND_BIT: &str = r#", { bits = "flags", bit = 4, width = 2, label = "way", src = "1 L9" }"#;
+const VALUE_OF_2: &str = r#", { name = "choice", value = 2, label = "two", src = "1 L8" }"#;
+const SECOND_BIT: &str = r#", { name = "flags", bit = 4, width = 2, label = "way", src = "1 L9" }"#;
 const ALARM: &str = r#"{ display = "OF", number = 0x25, code = 0x8611, name = "Following", reset = "resettable", causes = ["a"], src = "1 L10" } ]"#;
 const SECOND_ENTRY: &str =
     r#", { map = 0x1600, dir = "rx", pos = 2, entry = "2001:00", bits = 8, src = "1 L11" }"#;
@@ -101,7 +103,7 @@ const CASES: &[Case] = &[
     ("default = 3000", "default = 2999", &[("object 607F:00 default", "axis", "limit", "default_changed")]),
     ("default = 1, src = \"1 L7\"", "default = 3, src = \"1 L7\"", &[("object 6502:00 default", "axis", "mode", "capability_changed")]),
     ("default = 3,", "default = 4,", &[("object 2002:00 default", "documentation", "", "default_of_a_read_value")]),
-    (r#"effect = "at once""#, r#"effect = "power on""#, &[("object 2000:00 effect", "axis", "", "effect_changed")]),
+    (r#"effect = "at once""#, r#"effect = "at stop""#, &[("object 2000:00 effect", "axis", "", "effect_changed")]),
     ("Old.", "New.", &[("object 2000:00 text", "documentation", "", "wording")]),
     ("1 L3", "2 L33", &[
         ("object 2000:00 name", "documentation", "", "source_differs"), ("object 2000:00 handle", "documentation", "", "source_differs"),
@@ -128,7 +130,7 @@ const CASES: &[Case] = &[
     ("alarms = [ ", "alarms = [ { display = \"OS\", number = 0x26, code = 0x8400, name = \"Speed\", src = \"1 L10\" }, ", &[("alarm OS 0x26", "new", "", "alarm_added")]),
     (ALARM, "]", &[("alarm OF 0x25", "breaking", "", "alarm_removed")]),
     ("code = 0x8611", "code = 0x8612", &[("alarm OF 0x25 code", "breaking", "", "alarm_code_changed")]),
-    (r#"reset = "resettable""#, r#"reset = "power cycle""#, &[("alarm OF 0x25 reset", "axis", "", "alarm_reaction_changed")]),
+    (r#"reset = "resettable""#, r#"reset = "not resettable""#, &[("alarm OF 0x25 reset", "axis", "", "alarm_reaction_changed")]),
     (r#"name = "Following""#, r#"name = "Lag""#, &[("alarm OF 0x25 name", "documentation", "", "alarm_renamed"), ("alarm OF 0x25 handle", "documentation", "", "alarm_renamed")]),
     (r#"causes = ["a"]"#, r#"causes = ["b"]"#, &[("alarm OF 0x25 cause 1", "documentation", "", "wording")]),
     // Homing, modes, states.
