@@ -11,8 +11,16 @@ use std::path::{Path, PathBuf};
 ///
 /// Where there is none, or the folders cannot be read.
 pub fn all() -> Vec<PathBuf> {
-    let profiles: PathBuf = [env!("CARGO_MANIFEST_DIR"), "..", "profiles"].iter().collect();
-    let vendors = folders(&profiles).into_iter().filter(|v| !v.ends_with("standard"));
+    below(&[env!("CARGO_MANIFEST_DIR"), "..", "profiles"].iter().collect::<PathBuf>())
+}
+
+/// The same in another checkout.
+///
+/// # Panics
+///
+/// Where there is none, or the folders cannot be read.
+pub fn below(profiles: &Path) -> Vec<PathBuf> {
+    let vendors = folders(profiles).into_iter().filter(|v| !v.ends_with("standard"));
     let all: Vec<PathBuf> = vendors.flat_map(|vendor| folders(&vendor)).collect();
     assert!(!all.is_empty(), "no drive below {}", profiles.display());
     all

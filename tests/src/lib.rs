@@ -7,6 +7,7 @@
 )]
 
 pub mod cases;
+pub mod dice;
 pub mod drives;
 
 use std::fs::OpenOptions;
