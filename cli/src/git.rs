@@ -63,13 +63,13 @@ impl<'a> Revision<'a> {
     /// The folders two levels below `path`: `vendor/drive`.
     pub(crate) fn pairs(&self, path: &str) -> Result<Vec<String>, End> {
         let place = format!("{}:{path}", self.name);
-        let (ok, names) = self.git(&["ls-tree", "-rtdz", "--name-only", &place])?;
+        let (ok, names) = self.git(&["ls-tree", "--full-tree", "-rtdz", "--name-only", &place])?;
         let pair = |name: &&str| name.matches('/').count() == 1;
         Ok(split(&names).iter().filter(|_| ok).map(String::as_str).filter(pair).map(str::to_owned).collect())
     }
 
     fn folder(&self, place: &str) -> Result<Copied, End> {
-        let (_, names) = self.git(&["ls-tree", "-z", "--name-only", place])?;
+        let (_, names) = self.git(&["ls-tree", "--full-tree", "-z", "--name-only", place])?;
         let copied = Copied::new().map_err(|e| disk(&e))?;
         let inside = place.trim_end_matches('/');
         for name in split(&names) {

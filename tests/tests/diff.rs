@@ -70,7 +70,10 @@ const DERIVED: &[(&str, &[&str])] = &[
 fn leaves(value: &Value, at: &str, out: &mut Vec<String>) {
     let table = at.split('/').nth(1).unwrap_or_default();
     let derived = |key: &str| DERIVED.iter().any(|(of, keys)| *of == table && keys.contains(&key));
-    let total = |key: &str| table == "pdos" && key == "bits" && at.matches('/').count() == 2;
+    // The length of a PDO follows from its entries; the index of an object is in the addresses of its entries.
+    let total = |key: &str| {
+        at.matches('/').count() == 2 && [("pdos", "bits"), ("objects", "at")].contains(&(table, key))
+    };
     match value {
         Value::Object(fields) => {
             let own = fields.iter().filter(|(key, _)| !derived(key) && !total(key));

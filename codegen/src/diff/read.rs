@@ -246,8 +246,21 @@ fn row(
     if let (Some(name), Some((_, handle))) = (name, facts.iter_mut().find(|(field, _)| field == "handle")) {
         (handle.cite, handle.erratum) = (name.cite, name.erratum);
     }
+    if table == "errata" {
+        cite_errata(&mut facts);
+    }
     sort(&mut facts);
     Row { table, key, parent: None, axis: None, index: None, facts }
+}
+
+/// The values of an erratum are printed at the places that the row itself names.
+fn cite_errata(facts: &mut [(String, Said)]) {
+    for (value, place) in [("was", "seen"), ("set", "by")] {
+        let cite = facts.iter().find(|(field, _)| field == place).map(|(_, said)| said.text.clone());
+        if let Some((_, said)) = facts.iter_mut().find(|(field, _)| field == value) {
+            said.cite = cite;
+        }
+    }
 }
 
 fn sort(facts: &mut [(String, Said)]) {
