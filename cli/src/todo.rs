@@ -22,7 +22,7 @@ fn as_text(drive: &str, items: &[Item]) -> String {
     for priority in Priority::ALL {
         let these: Vec<&Item> = items.iter().filter(|item| item.priority == priority).collect();
         if !these.is_empty() {
-            out += &format!("{} ({})\n", priority.word(), these.len());
+            out.extend([format!("{} ({})\n", priority.word(), these.len())]);
         }
         out.extend(these.iter().map(|item| format!("  {} ({})\n", item.what, item.why)));
     }

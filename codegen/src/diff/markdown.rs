@@ -26,10 +26,10 @@ pub fn markdown(reports: &[Report], hint: &str, most: usize) -> String {
         // What one drive does not need is left to those after it.
         let share = most.saturating_sub(out.len() + RESERVE) / (reports.len() - n);
         if share < 2 * RESERVE {
-            out.push_str(&format!(
+            out.extend([format!(
                 "\n{} more drives differ and do not fit here: {hint}.\n",
                 reports.len() - n
-            ));
+            )]);
             break;
         }
         drive(report, hint, out.len() + share, &mut out);
@@ -44,16 +44,16 @@ fn drive(report: &Report, hint: &str, end: usize, out: &mut String) {
     let versions =
         if report.old.is_empty() { String::new() } else { format!("{} → ", escape(&report.old)) };
     let mark = if report.verdict.enough { "" } else { "⚠️ " };
-    out.push_str(&format!(
+    out.extend([format!(
         "## {} {versions}{}\n\n{}.\n\n",
         escape(&report.package),
         escape(&report.new),
         escape(&counts(report))
-    ));
+    )]);
     if report.changes.is_empty() {
         return;
     }
-    out.push_str(&format!("{mark}**SemVer**: {}.\n\n", escape(&verdict(report))));
+    out.extend([format!("{mark}**SemVer**: {}.\n\n", escape(&verdict(report)))]);
     let mut left = section("Values that move axes", &report.moving().collect::<Vec<_>>(), end, out);
     for effect in Effect::ALL {
         let changes: Vec<&Change> = report.others(effect).filter(|c| !c.is_source()).collect();
@@ -61,10 +61,10 @@ fn drive(report: &Report, hint: &str, end: usize, out: &mut String) {
     }
     let sources = report.changes.iter().filter(|c| c.is_source()).count();
     if sources > 0 {
-        out.push_str(&format!("{}.\n\n", escape(&moved(sources))));
+        out.extend([format!("{}.\n\n", escape(&moved(sources)))]);
     }
     if left > 0 {
-        out.push_str(&format!("**{left} differences do not fit here**: {hint}.\n\n"));
+        out.extend([format!("**{left} differences do not fit here**: {hint}.\n\n")]);
     }
 }
 

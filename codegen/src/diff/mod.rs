@@ -59,6 +59,7 @@ impl Effect {
 
 /// What is different.
 #[derive(Clone, PartialEq, Debug)]
+#[allow(clippy::large_enum_variant, reason = "there are as many as differences, not as many as facts")]
 pub enum What {
     /// A row is there that was not.
     Added(Row),

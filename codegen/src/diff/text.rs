@@ -33,7 +33,9 @@ fn section<'r>(head: &str, changes: impl Iterator<Item = &'r Change>, paint: Pai
         return;
     }
     out.extend(["\n", &paint.bold(&format!("{head} ({})", changes.len())), "\n"]);
-    changes.iter().for_each(|change| item(change, paint, out));
+    for change in changes {
+        item(change, paint, out);
+    }
 }
 
 fn item(change: &Change, paint: Paint, out: &mut String) {
@@ -50,10 +52,10 @@ fn item(change: &Change, paint: Paint, out: &mut String) {
     let colon = if values.is_empty() { "" } else { ": " };
     let group = change.axis.map_or_else(String::new, |group| format!(", {group}"));
     let effect = paint.effect(change.effect);
-    out.push_str(&format!("  {sign} {}{colon}{values}\n", plain_line(&title(change))));
-    out.push_str(&format!("      {effect}{group}: {} ({})\n", change.why, change.rule));
+    out.extend([format!("  {sign} {}{colon}{values}\n", plain_line(&title(change)))]);
+    out.extend([format!("      {effect}{group}: {} ({})\n", change.why, change.rule)]);
     if let Some(line) = places(change) {
-        out.push_str(&format!("      manual: {line}\n"));
+        out.extend([format!("      manual: {line}\n")]);
     }
 }
 
