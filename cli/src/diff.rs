@@ -119,11 +119,11 @@ fn since(base: &str, drives: &[String]) -> Result<Vec<Report>, End> {
     let here = Revision::find(base, Path::new("."))?;
     if !drives.is_empty() {
         let folders: Result<Vec<_>, End> = drives.iter().map(|drive| folder(drive)).collect();
-        return folders?.into_iter().map(|folder| drive_since(base, folder)).collect();
+        return folders?.into_iter().map(|folder| drive_since(base, &folder)).collect();
     }
     let mut reports = Vec::new();
     for folder in all() {
-        reports.push(drive_since(base, folder)?);
+        reports.push(drive_since(base, &folder)?);
     }
     for pair in here.pairs("./profiles")? {
         let place = format!("./profiles/{pair}");
@@ -138,9 +138,9 @@ fn since(base: &str, drives: &[String]) -> Result<Vec<Report>, End> {
 
 /// A drive against the same one in a revision. What was generated then says what its users had; where it is not
 /// there, the profile of then is compiled by this program and with its bases.
-fn drive_since(base: &str, folder: PathBuf) -> Result<Report, End> {
-    let revision = Revision::find(base, &folder)?;
-    let new = compiled(&folder, &folder.display().to_string())?;
+fn drive_since(base: &str, folder: &Path) -> Result<Report, End> {
+    let revision = Revision::find(base, folder)?;
+    let new = compiled(folder, &folder.display().to_string())?;
     let file = format!("./../../../generated/{}/model.json", new.package);
     let old = match listed(revision.object(&file)?, &format!("{base}:{file}")) {
         Ok(Some(old)) => Some(old),
