@@ -1,7 +1,7 @@
 //! `drivewright diff`: what a revision of a drive means to its users.
 
 use std::io::IsTerminal;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use drivewright_codegen::compile_folder;
 use drivewright_codegen::diag::render::{self, Style};
