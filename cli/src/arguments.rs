@@ -16,17 +16,21 @@ pub(crate) struct Arguments {
     /// Say only what is wrong.
     #[arg(short, long, global = true)]
     pub(crate) quiet: bool,
+    /// Print for programs: JSON on standard output.
+    #[arg(long, global = true)]
+    pub(crate) json: bool,
     #[command(subcommand)]
     pub(crate) command: Command,
 }
 
 #[derive(Subcommand)]
 pub(crate) enum Command {
-    /// Checks a profile and reports every finding.
-    #[command(after_help = "Example:\n  drivewright check profiles/savch/sdv3-e --format github")]
+    /// Checks profiles and reports every finding.
+    #[command(after_help = "Examples:\n  drivewright check\n  drivewright check sdv3-e --json\n  \
+                            drivewright check profiles/acme/x1 --format github")]
     Check {
-        /// Id of a drive below `profiles/`, or the profile's folder.
-        drive: String,
+        /// Ids of drives below `profiles/`, or profiles' folders; every drive when left out.
+        drives: Vec<String>,
         /// How findings are printed.
         #[arg(long, value_enum, default_value_t)]
         format: Format,
@@ -66,34 +70,31 @@ pub(crate) enum Command {
     /// Proves the facts of a profile against the text extract of a manual.
     #[command(after_help = "Examples:\n  drivewright audit sdv3-e --manual sdv3-e.txt\n  \
                             drivewright audit profiles/acme/x1 --manual x1.txt --contradictions\n  \
-                            drivewright audit sdv3-e --manual sdv3-e.txt --record\n\n\
+                            drivewright audit sdv3-e --manual sdv3-e.txt --record\n  \
+                            drivewright audit sdv3-e --manual sdv3-e.txt --json\n\n\
                             The manuals are their makers' and not part of the project. Without --manual the file is\n\
                             DRIVE.txt in the folder that DRIVEWRIGHT_MANUALS names.")]
     Audit(AuditArguments),
     /// Counts, for each table of a drive, how many rows have which keys.
-    #[command(after_help = "Example:\n  drivewright coverage sdv3-e")]
+    #[command(after_help = "Examples:\n  drivewright coverage\n  drivewright coverage sdv3-e --json")]
     Coverage {
         /// Ids of drives below `profiles/`, or profiles' folders; every drive when left out.
         drives: Vec<String>,
-        /// Print the result as one JSON object.
-        #[arg(long)]
-        json: bool,
     },
     /// Lists what a profile does not state yet: to enable the drive, to commission an axis, and what would be nice.
     #[command(after_help = "Example:\n  drivewright todo sdv3-e")]
     Todo {
-        /// Id of a drive below `profiles/`, or the profile's folder.
-        drive: String,
-        /// Print the result as one JSON list.
-        #[arg(long)]
-        json: bool,
+        /// Ids of drives below `profiles/`, or profiles' folders; every drive when left out.
+        drives: Vec<String>,
     },
     /// Tells what a revision of a drive means to its users, and which version its crate needs.
     #[command(after_help = DIFF_HELP)]
     Diff(DiffArguments),
     /// Lists every code.
+    #[command(after_help = "Examples:\n  drivewright lints\n  drivewright lints --json")]
     Lints,
     /// Prints the JSON schema of profiles, for completion in an editor.
+    #[command(after_help = "Example:\n  drivewright schema > profile.schema.json")]
     Schema,
     /// Prints a completion script.
     #[command(
@@ -126,9 +127,6 @@ pub(crate) struct AuditArguments {
     /// Write the profile's `audit.toml` if nothing is left open.
     #[arg(long)]
     pub(crate) record: bool,
-    /// Print the result as one JSON object.
-    #[arg(long)]
-    pub(crate) json: bool,
 }
 
 pub(crate) const DIFF_HELP: &str = "\
@@ -153,7 +151,7 @@ pub(crate) struct DiffArguments {
     /// Compare with this git revision.
     #[arg(long, value_name = "REV")]
     pub(crate) base: Option<String>,
-    /// How the differences are printed.
+    /// How the differences are printed. `--json` is short for `--format json`.
     #[arg(long, value_enum, default_value_t)]
     pub(crate) format: DiffFormat,
     /// End with 1 if there is a difference of this kind.
@@ -186,7 +184,7 @@ pub(crate) enum FailOn {
     Version,
 }
 
-/// How findings are printed.
+/// How findings are printed. `--json` is short for `--format json`.
 #[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
     /// For people.

@@ -12,7 +12,7 @@ use serde_json::json;
 use crate::End;
 use crate::arguments::AuditArguments;
 use crate::drives::{Found, find};
-use crate::output::{counted, disk, print};
+use crate::output::{Shape, counted, disk, print, tell, working};
 
 /// Names the folder of text extracts.
 const MANUALS: &str = "DRIVEWRIGHT_MANUALS";
@@ -26,19 +26,19 @@ struct Reading<'a> {
     facts: Vec<FactLine<'a>>,
 }
 
-pub(crate) fn run(asked: &AuditArguments, quiet: bool) -> End {
-    match find(&asked.drive).and_then(|found| read(&found, asked, quiet)) {
+pub(crate) fn run(asked: &AuditArguments, shape: Shape) -> End {
+    match find(&asked.drive).and_then(|found| read(&found, asked, shape)) {
         Ok(end) | Err(end) => end,
     }
 }
 
-fn read(found: &Found, asked: &AuditArguments, quiet: bool) -> Result<End, End> {
+fn read(found: &Found, asked: &AuditArguments, shape: Shape) -> Result<End, End> {
     let Some(model) = found.compiled.model.as_ref() else { return Err(End::Findings) };
     let manual = manual(model, asked)?;
     let file = file(found, asked)?;
     let text = std::fs::read_to_string(&file).map_err(|e| disk(&format!("{}: {e}", file.display())))?;
     if text_hash(&text) != manual.sha256 {
-        eprintln!(
+        tell!(
             "error: {} is another text than the one that the profile cites\n  its SHA-256 is {}\n  `manuals` says   {}\n\
              note: line numbers hold for one extract only\n\
              help: use that extract, or cite this one anew and correct `sha256` and `lines`",
@@ -48,7 +48,7 @@ fn read(found: &Found, asked: &AuditArguments, quiet: bool) -> Result<End, End> 
         );
         return Err(End::Findings);
     }
-    Ok(Reading { found, model, manual, text, facts: facts(model) }.report(asked, quiet))
+    Ok(Reading { found, model, manual, text, facts: facts(model) }.report(asked, shape))
 }
 
 fn manual<'m>(model: &'m Model, asked: &AuditArguments) -> Result<&'m Manual, End> {
@@ -58,7 +58,7 @@ fn manual<'m>(model: &'m Model, asked: &AuditArguments) -> Result<&'m Manual, En
         return Ok(only);
     }
     let known: Vec<&str> = model.manuals.iter().map(|m| m.id.as_str()).collect();
-    eprintln!("error: name one manual with --id; known: {}", known.join(", "));
+    tell!("error: name one manual with --id; known: {}", known.join(", "));
     Err(End::Usage)
 }
 
@@ -67,26 +67,28 @@ fn file(found: &Found, asked: &AuditArguments) -> Result<PathBuf, End> {
         return Ok(file.clone());
     }
     let Some(folder) = std::env::var_os(MANUALS) else {
-        eprintln!("error: name the text extract with --manual, or its folder in {MANUALS}");
+        tell!("error: name the text extract with --manual, or its folder in {MANUALS}");
         return Err(End::Usage);
     };
     Ok(Path::new(&folder).join(format!("{}.txt", found.id)))
 }
 
 impl Reading<'_> {
-    fn report(&self, asked: &AuditArguments, quiet: bool) -> End {
+    fn report(&self, asked: &AuditArguments, shape: Shape) -> End {
+        let working = working(&format!("auditing {}", self.found.id), shape.quiet);
         let rows = &self.found.compiled.rows;
         let Some(report) = audit(self.model, &self.facts, rows, &self.manual.id, &self.text) else {
             return End::Usage;
         };
         let differing = contradictions(self.model, &self.facts, rows, &self.manual.id, &self.text);
+        drop(working);
         let open = report.open().count() + differing.iter().filter(|c| !c.settled()).count();
         let mut text = String::new();
-        if asked.json {
+        if shape.json {
             text = format!("{}\n", json(&report, &differing, open));
         } else {
             text += &Self::list(asked, &report, &differing);
-            if !quiet {
+            if !shape.quiet {
                 text += &self.sum_up(&report, &differing, open);
             }
         }
@@ -135,7 +137,7 @@ impl Reading<'_> {
 
     fn record(&self, report: &Report, end: End) -> End {
         if end != End::Fine {
-            eprintln!("error: nothing was recorded: settle what is open first");
+            tell!("error: nothing was recorded: settle what is open first");
             return end;
         }
         let record = Record::new(&self.manual.id, &self.text, &self.facts, report);

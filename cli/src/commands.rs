@@ -1,7 +1,6 @@
 //! What each command does.
 
-use std::io::IsTerminal;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clap::CommandFactory;
 use drivewright_codegen::backend::{self, Backend};
@@ -13,29 +12,29 @@ use drivewright_codegen::sink::{self, Difference, SinkError, State};
 use drivewright_codegen::{Compiled, compile_folder, emit, schema};
 
 use crate::arguments::{Arguments, Command, Format};
-use crate::drives::folder;
-use crate::output::{counted, disk, print, several};
+use crate::drives::{folder, folders};
+use crate::output::{Shape, colour, counted, disk, print, several, tell, tell_all, working};
 use crate::{End, audit, coverage, diff, todo};
 
 /// Runs the command.
 pub(crate) fn run(arguments: &Arguments) -> End {
-    let quiet = arguments.quiet;
+    let Arguments { quiet, json, .. } = *arguments;
+    let shape = Shape { quiet, json };
+    let asked = |format: Format| if json { Format::Json } else { format };
     match &arguments.command {
-        Command::Check { drive, format } => {
-            folder(drive).map_or_else(|end| end, |folder| check(&folder, *format, quiet))
-        }
+        Command::Check { drives, format } => check(drives, asked(*format), quiet),
         Command::Build { drive, out, prune, only, check, diff, format } => {
             let mode = if *check { Mode::Check } else { Mode::Write };
             let mode = if *diff { Mode::Diff } else { mode };
             let to = Target { folder: out, prune: *prune, mode };
-            folder(drive).map_or_else(|end| end, |folder| build(&folder, &to, only, *format, quiet))
+            folder(drive).map_or_else(|end| end, |folder| build(&folder, &to, only, asked(*format), quiet))
         }
         Command::Explain { code } => explain(code),
-        Command::Audit(asked) => audit::run(asked, quiet),
-        Command::Coverage { drives, json } => coverage::run(drives, *json),
-        Command::Todo { drive, json } => todo::run(drive, *json),
-        Command::Diff(asked) => diff::run(asked, quiet),
-        Command::Lints => print(&codes()),
+        Command::Audit(wanted) => audit::run(wanted, shape),
+        Command::Coverage { drives } => coverage::run(drives, json),
+        Command::Todo { drives } => todo::run(drives, json),
+        Command::Diff(wanted) => diff::run(wanted, shape),
+        Command::Lints => print(&if json { codes_json() } else { codes() }),
         Command::Schema => print(&schema::profile_schema()),
         Command::Completions { shell } => {
             let mut script = Vec::new();
@@ -59,12 +58,12 @@ fn show(compiled: &Compiled, folder: &Path, format: Format, quiet: bool) -> End 
     let Compiled { diagnostics, sources, .. } = compiled;
     let folder = folder.display().to_string().replace('\\', "/");
     match format {
-        Format::Json => print(&json::lines(diagnostics, sources)),
+        Format::Json => print(&json::lines(diagnostics, sources, &folder)),
         Format::Github => print(&github::commands(diagnostics, sources, &folder)),
         Format::Human => {
-            eprint!("{}", render::text(diagnostics, sources, style()));
+            tell_all(&render::text(diagnostics, sources, render::Style { colour: colour() }));
             if let Some(summary) = render::summary(diagnostics) {
-                eprintln!("{folder}: {summary}; `drivewright explain CODE` tells more");
+                tell!("{folder}: {summary}; `drivewright explain CODE` tells more");
             } else if let (Some(model), false) = (&compiled.model, quiet) {
                 return print(&counts(model, &folder));
             }
@@ -86,14 +85,18 @@ fn counts(model: &Model, folder: &str) -> String {
     )
 }
 
-fn style() -> render::Style {
-    let no_colour = std::env::var_os("NO_COLOR").is_some_and(|v| !v.is_empty());
-    render::Style { colour: std::io::stderr().is_terminal() && !no_colour }
-}
-
-fn check(folder: &Path, format: Format, quiet: bool) -> End {
-    let (compiled, _) = compile_folder(folder);
-    show(&compiled, folder, format, quiet).max(end(&compiled))
+fn check(drives: &[String], format: Format, quiet: bool) -> End {
+    let folders = match folders(drives) {
+        Ok(folders) => folders,
+        Err(end) => return end,
+    };
+    let one = |folder: &PathBuf| {
+        let working = working(&format!("checking {}", folder.display()), quiet);
+        let (compiled, _) = compile_folder(folder);
+        drop(working);
+        show(&compiled, folder, format, quiet).max(end(&compiled))
+    };
+    folders.iter().map(one).max().unwrap_or(End::Fine)
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -134,7 +137,7 @@ impl Target<'_> {
 
 fn build(folder: &Path, to: &Target<'_>, only: &[String], format: Format, quiet: bool) -> End {
     if to.prune && to.holds(folder) {
-        eprintln!(
+        tell!(
             "error: {} and the profile {} lie in one another: --prune would remove the profile; name another folder",
             to.folder.display(),
             folder.display()
@@ -144,7 +147,7 @@ fn build(folder: &Path, to: &Target<'_>, only: &[String], format: Format, quiet:
     let (mut compiled, _) = compile_folder(folder);
     let Some(model) = compiled.sound().cloned() else {
         let shown = show(&compiled, folder, format, quiet);
-        eprintln!("nothing was written");
+        tell!("nothing was written");
         return shown.max(end(&compiled));
     };
     let chosen: Vec<&dyn Backend> = backend::ALL
@@ -156,7 +159,7 @@ fn build(folder: &Path, to: &Target<'_>, only: &[String], format: Format, quiet:
     compiled.diagnostics.extend(losses);
     let shown = show(&compiled, folder, format, true);
     if compiled.sound().is_none() {
-        eprintln!("nothing was written");
+        tell!("nothing was written");
         return shown.max(End::Findings);
     }
     shown.max(match to.deliver(&files) {
@@ -186,7 +189,7 @@ fn told(files: &FileSet, to: &Target<'_>, found: &[Difference], format: Format, 
     let shown = if format == Format::Human {
         print(&text)
     } else {
-        eprint!("{text}");
+        tell_all(&text);
         End::Fine
     };
     shown.max(if mode == Mode::Check && !found.is_empty() { End::Findings } else { End::Fine })
@@ -200,7 +203,7 @@ fn explain(wanted: &str) -> End {
     if let Some(text) = plain_codes().find(|c| c.id() == wanted).and_then(page::text) {
         return print(&text);
     }
-    eprintln!("error: there is no code `{wanted}`; `drivewright lints` lists them");
+    tell!("error: there is no code `{wanted}`; `drivewright lints` lists them");
     End::Usage
 }
 
@@ -209,9 +212,22 @@ fn plain_codes() -> impl Iterator<Item = Code> {
     code::ALL.iter().copied().chain(backend::ALL.iter().flat_map(|b| b.codes()).copied())
 }
 
-fn codes() -> String {
+fn every_code() -> Vec<Code> {
     let mut codes: Vec<_> = plain_codes().chain(LINTS.iter().map(|l| l.code)).collect();
     codes.sort_by_key(|c| c.id()[1..].to_owned());
-    let line = |c: &Code| format!("{}  {:<7}  {}", c.id(), c.severity().word(), c.title());
-    codes.iter().map(line).collect::<Vec<_>>().join("\n") + "\n"
+    codes
+}
+
+fn codes() -> String {
+    let line = |c: &Code| format!("{}  {:<7}  {}\n", c.id(), c.severity().word(), c.title());
+    every_code().iter().map(line).collect()
+}
+
+/// One object a line.
+fn codes_json() -> String {
+    let line = |c: &Code| {
+        let one = serde_json::json!({ "code": c.id(), "severity": c.severity().word(), "title": c.title() });
+        format!("{one}\n")
+    };
+    every_code().iter().map(line).collect()
 }

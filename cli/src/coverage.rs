@@ -5,25 +5,25 @@ use drivewright_codegen::facts::facts;
 use serde_json::{Map, Value, json};
 
 use crate::End;
-use crate::drives::{Found, all, find, open};
+use crate::drives::{Found, folders, open};
 use crate::output::print;
 
 pub(crate) fn run(drives: &[String], json: bool) -> End {
-    let found: Result<Vec<Found>, End> = if drives.is_empty() {
-        all().into_iter().map(open).collect()
-    } else {
-        drives.iter().map(|drive| find(drive)).collect()
-    };
+    let found: Result<Vec<Found>, End> =
+        folders(drives).and_then(|folders| folders.into_iter().map(open).collect());
     let found = match found {
-        Ok(found) if found.is_empty() => {
-            eprintln!("error: there is no drive below `profiles/`; name a profile's folder");
-            return End::Usage;
-        }
         Ok(found) => found,
         Err(end) => return end,
     };
-    let counts: Vec<(String, Vec<Count>)> = found.iter().map(|f| (f.id.clone(), counts(f))).collect();
+    let counts: Vec<(String, Vec<Count>)> = found.iter().map(|f| (name_of(f, &found), counts(f))).collect();
     print(&if json { format!("{}\n", as_json(&counts)) } else { counts.iter().map(as_text).collect() })
+}
+
+/// The drive's id; with its maker where another one has the same.
+fn name_of(one: &Found, all: &[Found]) -> String {
+    let twice = all.iter().filter(|f| f.id == one.id).count() > 1;
+    let package = one.compiled.model.as_ref().map(|m| m.drive.package.clone()).filter(|_| twice);
+    package.unwrap_or_else(|| one.id.clone())
 }
 
 fn counts(found: &Found) -> Vec<Count> {

@@ -13,15 +13,16 @@ use crate::End;
 use crate::arguments::{DiffArguments, DiffFormat, FailOn};
 use crate::drives::{all, folder};
 use crate::git::{Object, Revision};
-use crate::output::{disk, print};
+use crate::output::{Shape, disk, print, tell, tell_all};
 
-pub(crate) fn run(asked: &DiffArguments, quiet: bool) -> End {
+pub(crate) fn run(asked: &DiffArguments, shape: Shape) -> End {
+    let format = if shape.json { DiffFormat::Json } else { asked.format };
     let reports = match &asked.base {
         Some(base) => since(base, &asked.sides),
         None => two(&asked.sides).map(|report| vec![report]),
     };
     match reports {
-        Ok(reports) => print(&shown(&reports, asked.format, quiet)).max(end(&reports, asked.fail_on)),
+        Ok(reports) => print(&shown(&reports, format, shape.quiet)).max(end(&reports, asked.fail_on)),
         Err(end) => end,
     }
 }
@@ -61,7 +62,7 @@ fn end(reports: &[Report], fail_on: Option<FailOn>) -> End {
 
 fn two(sides: &[String]) -> Result<Report, End> {
     let [old, new] = sides else {
-        eprintln!("error: name two sides, OLD and NEW, or a revision with --base");
+        tell!("error: name two sides, OLD and NEW, or a revision with --base");
         return Err(End::Usage);
     };
     Ok(compare(&side(old)?, &side(new)?))
@@ -78,7 +79,7 @@ fn side(named: &str) -> Result<Listing, End> {
         Some((revision, place)) if !path.exists() => {
             let revision = Revision::find(revision, Path::new("."))?;
             listed(revision.object(place)?, named)?.ok_or_else(|| {
-                eprintln!("error: there is nothing at {named}");
+                tell!("error: there is nothing at {named}");
                 End::Usage
             })
         }
@@ -90,7 +91,7 @@ fn side(named: &str) -> Result<Listing, End> {
 fn compiled(folder: &Path, named: &str) -> Result<Listing, End> {
     let (compiled, _) = compile_folder(folder);
     let Some(model) = compiled.sound() else {
-        eprint!("{}", render::text(&compiled.diagnostics, &compiled.sources, Style::default()));
+        tell_all(&render::text(&compiled.diagnostics, &compiled.sources, Style::default()));
         let summary = render::summary(&compiled.diagnostics).unwrap_or_default();
         return Err(refused(named, &format!("it has {summary}")));
     };
@@ -102,7 +103,7 @@ fn parsed(text: &str, named: &str) -> Result<Listing, End> {
 }
 
 fn refused(named: &str, error: &dyn std::fmt::Display) -> End {
-    eprintln!("error: {named}: {error}");
+    tell!("error: {named}: {error}");
     End::Findings
 }
 

@@ -2,9 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use drivewright_codegen::{Compiled, compile_folder, diag};
+use drivewright_codegen::{Compiled, compile_folder, diag, load};
 
 use crate::End;
+use crate::output::tell;
 
 /// A profile, compiled without errors.
 pub(crate) struct Found {
@@ -16,16 +17,22 @@ pub(crate) struct Found {
 /// Where profiles are looked for by id.
 const PROFILES: &str = "profiles";
 
-/// Every `profiles/<vendor>/<drive>` below the current folder, in path order.
+/// Every `profiles/<vendor>/<drive>` below the current folder, in path order; none where there is no such folder.
 pub(crate) fn all() -> Vec<PathBuf> {
-    let folders = |of: &Path| -> Vec<PathBuf> {
-        let entries = std::fs::read_dir(of).into_iter().flatten().flatten();
-        let mut found: Vec<PathBuf> = entries.map(|e| e.path()).filter(|p| p.is_dir()).collect();
-        found.sort();
-        found
-    };
-    let vendors = folders(Path::new(PROFILES)).into_iter().filter(|v| !v.ends_with("standard"));
-    vendors.flat_map(|vendor| folders(&vendor)).collect()
+    load::drives(Path::new(PROFILES)).unwrap_or_default()
+}
+
+/// The folders of the profiles that are `named`, or of all when none is. What is wrong is said.
+pub(crate) fn folders(named: &[String]) -> Result<Vec<PathBuf>, End> {
+    if !named.is_empty() {
+        return named.iter().map(|one| folder(one)).collect();
+    }
+    let all = all();
+    if all.is_empty() {
+        tell!("error: there is no drive below `profiles/`; name a profile's folder");
+        return Err(End::Usage);
+    }
+    Ok(all)
 }
 
 /// The folder of the profile that `named` is the id or the folder of. What is wrong is said.
@@ -35,13 +42,30 @@ pub(crate) fn folder(named: &str) -> Result<PathBuf, End> {
         return Ok(folder.to_owned());
     }
     let known = all();
-    if let Some(folder) = known.iter().find(|p| p.file_name().is_some_and(|n| n == named)) {
-        return Ok(folder.clone());
+    let listed = |of: &mut dyn Iterator<Item = &PathBuf>| of.map(|p| id(p)).collect::<Vec<_>>().join(", ");
+    // `sdv3-e`, or `savch/sdv3-e` where two makers have one.
+    let meant = |p: &&PathBuf| p.ends_with(named);
+    match known.iter().filter(meant).collect::<Vec<_>>().as_slice() {
+        [one] => return Ok((*one).clone()),
+        [] => {
+            let known = if known.is_empty() {
+                "none below `profiles/` here".to_owned()
+            } else {
+                listed(&mut known.iter())
+            };
+            tell!("error: there is no drive or folder `{named}`; known drives: {known}");
+        }
+        several => {
+            tell!("error: `{named}` is one of several drives: {}", listed(&mut several.iter().copied()));
+        }
     }
-    let ids: Vec<_> = known.iter().filter_map(|p| p.file_name()).map(|n| n.to_string_lossy()).collect();
-    let known = if ids.is_empty() { "none below `profiles/` here".to_owned() } else { ids.join(", ") };
-    eprintln!("error: there is no drive or folder `{named}`; known drives: {known}");
     Err(End::Usage)
+}
+
+/// `savch/sdv3-e`
+fn id(folder: &Path) -> String {
+    let parts = folder.strip_prefix(PROFILES).unwrap_or(folder);
+    parts.display().to_string().replace('\\', "/")
 }
 
 /// The profile that `named` is the id or the folder of, compiled. What is wrong is said.
@@ -56,6 +80,6 @@ pub(crate) fn open(folder: PathBuf) -> Result<Found, End> {
         return Ok(Found { id: model.drive.id.clone(), folder, compiled });
     }
     let summary = diag::render::summary(&compiled.diagnostics).unwrap_or_default();
-    eprintln!("error: {} has {summary}: run `drivewright check {0}`", folder.display());
+    tell!("error: {} has {summary}: run `drivewright check {0}`", folder.display());
     Err(End::Findings)
 }

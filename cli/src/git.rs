@@ -5,7 +5,7 @@ use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::End;
-use crate::output::disk;
+use crate::output::{disk, tell};
 
 /// What a revision has at a path.
 pub(crate) enum Object {
@@ -29,15 +29,13 @@ impl<'a> Revision<'a> {
         let found = Self { name, at: at.to_owned() };
         // A name that begins with a hyphen would be an option of git.
         if name.is_empty() || name.starts_with('-') {
-            eprintln!("error: `{name}` is no revision");
+            tell!("error: `{name}` is no revision");
             return Err(End::Usage);
         }
         let commit = format!("{name}^{{commit}}");
         let (ok, _) = found.git(&["rev-parse", "--verify", "--quiet", "--end-of-options", &commit])?;
         if !ok {
-            eprintln!(
-                "error: git knows no revision `{name}` here\nhelp: `git fetch` it, or name another one"
-            );
+            tell!("error: git knows no revision `{name}` here\nhelp: `git fetch` it, or name another one");
             return Err(End::Usage);
         }
         Ok(found)
@@ -51,7 +49,7 @@ impl<'a> Revision<'a> {
             "blob" if ok => {
                 let (_, bytes) = self.git(&["cat-file", "blob", &place])?;
                 String::from_utf8(bytes).map(Object::Text).map_err(|_| {
-                    eprintln!("error: {place} is not UTF-8");
+                    tell!("error: {place} is not UTF-8");
                     End::Findings
                 })
             }

@@ -2,19 +2,32 @@
 
 use drivewright_codegen::facts::facts;
 use drivewright_codegen::todo::{Item, Priority, todo};
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::End;
-use crate::drives::find;
+use crate::drives::{Found, folders, open};
 use crate::output::print;
 
-pub(crate) fn run(drive: &str, json: bool) -> End {
-    let found = match find(drive) {
+pub(crate) fn run(drives: &[String], json: bool) -> End {
+    let found: Result<Vec<Found>, End> =
+        folders(drives).and_then(|folders| folders.into_iter().map(open).collect());
+    let found = match found {
         Ok(found) => found,
         Err(end) => return end,
     };
-    let items = found.compiled.model.as_ref().map(|model| todo(&facts(model))).unwrap_or_default();
-    print(&if json { as_json(&items) } else { as_text(&found.id, &items) })
+    let lists: Vec<(String, Vec<Item>)> = found.iter().map(list).collect();
+    print(&if json {
+        as_json(&lists)
+    } else {
+        lists.iter().map(|(drive, items)| as_text(drive, items)).collect()
+    })
+}
+
+/// What the drive lacks, under the name of its package: ids of two makers may be the same.
+fn list(found: &Found) -> (String, Vec<Item>) {
+    let model = found.compiled.model.as_ref();
+    let name = model.map_or_else(|| found.id.clone(), |model| model.drive.package.clone());
+    (name, model.map(|model| todo(&facts(model))).unwrap_or_default())
 }
 
 fn as_text(drive: &str, items: &[Item]) -> String {
@@ -29,7 +42,9 @@ fn as_text(drive: &str, items: &[Item]) -> String {
     out
 }
 
-fn as_json(items: &[Item]) -> String {
+fn as_json(lists: &[(String, Vec<Item>)]) -> String {
     let item = |i: &Item| json!({ "priority": i.priority.word(), "what": i.what, "why": i.why });
-    format!("{}\n", json!(items.iter().map(item).collect::<Vec<_>>()))
+    let list = |items: &[Item]| Value::Array(items.iter().map(item).collect());
+    let drives = lists.iter().map(|(drive, items)| (drive.clone(), list(items)));
+    format!("{}\n", Value::Object(drives.collect()))
 }

@@ -110,11 +110,13 @@ fn findings_have_their_place_in_every_format() {
     assert!(!err(&human).contains('\u{1b}'), "no colour in a pipe");
     let json = run(&at, &["check", "profile", "--format", "json"]);
     assert!(
-        code(&json) == 1 && out(&json).starts_with(r#"{"code":"E0402","severity":"error""#),
+        code(&json) == 1
+            && out(&json).starts_with(r#"{"folder":"profile","code":"E0402","severity":"error""#),
         "{}",
         out(&json)
     );
     assert!(out(&json).contains(r#""path":"drive.toml","line":3"#));
+    assert_eq!(out(&run(&at, &["check", "profile", "--json"])), out(&json), "--json is short for it");
     let github = run(&at, &["check", "profile", "--format", "github"]);
     assert!(out(&github).starts_with("::error file=profile/drive.toml,line=3,col="), "{}", out(&github));
     assert_eq!(code(&run(&at, &["build", "profile", "--out", "o"])), 1);

@@ -24,6 +24,29 @@ pub struct Loaded {
     pub read: Vec<PathBuf>,
 }
 
+/// Every drive below a folder of profiles: `<vendor>/<drive>`, in path order. `standard` holds the bases and no drive.
+pub fn drives(profiles: &Path) -> io::Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for vendor in folders(profiles)? {
+        if !vendor.ends_with("standard") {
+            found.extend(folders(&vendor)?);
+        }
+    }
+    Ok(found)
+}
+
+fn folders(of: &Path) -> io::Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(of)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            found.push(path);
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
 /// Reads the profile in `folder`.
 pub fn folder(folder: &Path) -> Loaded {
     let mut loaded = Loaded { read: vec![folder.to_owned()], ..Loaded::default() };

@@ -35,8 +35,10 @@ fn run(files: &[&str]) -> (Vec<&'static str>, bool) {
     let compiled = compile(sources);
     let found = &compiled.diagnostics;
     let text = render::text(found, &compiled.sources, render::Style::default());
-    let programs =
-        [json::lines(found, &compiled.sources), github::commands(found, &compiled.sources, "profiles/x1")];
+    let programs = [
+        json::lines(found, &compiled.sources, ""),
+        github::commands(found, &compiled.sources, "profiles/x1"),
+    ];
     assert!(programs.iter().all(|p| p.lines().count() == found.len()) && text.len() >= found.len());
     let mut codes: Vec<&str> = found.iter().map(|d| d.code.id()).collect();
     assert!(codes.len() <= limits::FINDINGS + 1);

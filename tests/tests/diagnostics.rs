@@ -223,7 +223,7 @@ fn other_formats() {
     let (mut lines, mut commands) = (String::new(), String::new());
     for case in cases() {
         let (findings, sources) = case.findings();
-        lines += &json::lines(&findings, &sources);
+        lines += &json::lines(&findings, &sources, "");
         commands += &github::commands(&findings, &sources, "profiles/x1");
     }
     settings().bind(|| {

@@ -11,7 +11,6 @@ use std::path::{Path, PathBuf};
 
 use drivewright_codegen::diff::{Listing, Row};
 use drivewright_codegen::{compile, load};
-use drivewright_tests::drives;
 
 fn root() -> PathBuf {
     let here = || Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
@@ -54,7 +53,7 @@ fn what_users_rely_on() {
     settings.set_snapshot_path(root.join("tests/tests/snapshots/drives"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    for folder in drives::below(&root.join("profiles")) {
+    for folder in load::drives(&root.join("profiles")).expect("drives") {
         let model = compile(load::folder(&folder).sources).model.expect("a model");
         let rows = Listing::of(&model).expect("rows").rows;
         let api: String = rows

@@ -6,9 +6,7 @@ use std::process::{Command, Stdio};
 
 use crate::Options;
 use crate::outcome::Outcome;
-
-/// Names the folder with `<drive>.txt` for each drive.
-const MANUALS: &str = "DRIVEWRIGHT_MANUALS";
+use crate::outside::{self, MANUALS};
 
 /// Audits each of `drives`. `step` runs and reports one of them.
 pub fn run(
@@ -23,10 +21,10 @@ pub fn run(
 }
 
 fn audit(root: &Path, drive: &str, quiet: bool) -> Outcome {
-    let Some(folder) = std::env::var_os(MANUALS) else {
+    let Some(folder) = outside::folder(MANUALS) else {
         return Outcome::Skipped(format!("{MANUALS} names no folder with the text of the manual"));
     };
-    let manual = Path::new(&folder).join(format!("{drive}.txt"));
+    let manual = folder.join(format!("{drive}.txt"));
     if !manual.exists() {
         return Outcome::Skipped(format!("{} is not there", manual.display()));
     }

@@ -9,6 +9,7 @@ use std::process::{Command, Stdio};
 
 use crate::Options;
 use crate::outcome::Outcome;
+use crate::outside;
 
 /// Judges of an EDS: name of the script, and whether it also takes `model.json`.
 const OF_EDS: &[(&str, bool)] = &[("eds_canopen", true), ("eds_dcfchk", false)];
@@ -74,7 +75,7 @@ fn data_sheets(root: &Path) -> Vec<PathBuf> {
 /// Asks one judge about one file; it prints its findings and what its negative controls saw.
 fn ask(python: &Path, judge: &Path, file: &Path, with_model: bool, quiet: bool) -> Outcome {
     let mut command = Command::new(python);
-    command.arg(judge).env("PYTHONDONTWRITEBYTECODE", "1").env("PYTHONUTF8", "1");
+    command.arg(judge).env("PYTHONDONTWRITEBYTECODE", "1").env("PYTHONUTF8", "1").envs(outside::variables());
     if with_model {
         let model = file.parent().and_then(Path::parent).unwrap_or(file).join("model.json");
         if !model.exists() {

@@ -8,6 +8,7 @@ mod audits;
 mod judges;
 mod new;
 mod outcome;
+mod outside;
 mod regen;
 mod snapshots;
 mod test;

@@ -9,7 +9,7 @@ use drivewright_codegen::diag::{Diagnostic, Severity, render};
 use drivewright_codegen::emit::FileSet;
 use drivewright_codegen::schema::profile_schema;
 use drivewright_codegen::sink::{self, Difference, SinkError, State};
-use drivewright_codegen::{Compiled, backend, compile_folder, emit};
+use drivewright_codegen::{Compiled, backend, compile_folder, emit, load};
 
 use crate::{End, Options};
 
@@ -96,13 +96,7 @@ impl Profile {
 
 /// Every `profiles/<vendor>/<drive>`, in path order.
 fn places(root: &Path) -> std::io::Result<Vec<PathBuf>> {
-    let mut found = Vec::new();
-    for vendor in folders(&root.join("profiles"))? {
-        if name(&vendor) != "standard" {
-            found.extend(folders(&vendor)?);
-        }
-    }
-    Ok(found)
+    load::drives(&root.join("profiles"))
 }
 
 /// Every profile, compiled.
@@ -203,8 +197,8 @@ fn refuse(profile: &Profile, findings: &[Diagnostic]) -> End {
 }
 
 fn show(profile: &Profile, findings: &[Diagnostic]) {
-    let style =
-        render::Style { colour: std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none() };
+    let no_colour = std::env::var_os("NO_COLOR").is_some_and(|v| !v.is_empty());
+    let style = render::Style { colour: std::io::stderr().is_terminal() && !no_colour };
     let text = render::text(findings, &profile.compiled.sources, style);
     if !text.is_empty() {
         eprintln!("in {}:\n{text}", profile.place());

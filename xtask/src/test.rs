@@ -5,7 +5,7 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 
 use crate::outcome::Outcome;
-use crate::{End, Options, audits, judges, regen, snapshots};
+use crate::{End, Options, audits, judges, outside, regen, snapshots};
 
 /// A step that ran.
 pub struct Step {
@@ -97,7 +97,7 @@ fn command(run: &Run, variables: &[(&str, &str)], root: &Path, options: &Options
     let folder = root.join(folder);
     let mut command = Command::new(program);
     command.args(args).current_dir(folder).env("INSTA_UPDATE", "no").env("RUSTDOCFLAGS", "-D warnings");
-    command.envs(variables.iter().copied());
+    command.envs(variables.iter().copied()).envs(outside::variables());
     command.env(snapshots::VARIABLE, snapshots::references(root)).env("DRIVEWRIGHT_SKIPS", skips(root));
     if options.quiet {
         command.stdout(std::process::Stdio::null());

@@ -19,10 +19,9 @@ pub fn run(root: &Path, options: &Options) -> End {
         generated(&name, &text, &mut findings);
         markdown(root, &name, &text, &mut findings);
         machine(&name, &text, &mut findings);
-        if name.ends_with(".snap.new") {
-            findings.push(format!("{name}: a snapshot that nobody accepted"));
-        }
     }
+    let told = |path: &PathBuf| format!("{}: a snapshot that nobody accepted", path.display());
+    findings.extend(waiting(root).iter().map(told));
     for finding in &findings {
         println!("{finding}");
     }
@@ -34,10 +33,21 @@ pub fn run(root: &Path, options: &Options) -> End {
 
 /// What git has or would take.
 pub fn tracked(root: &Path) -> Vec<PathBuf> {
-    let args = ["ls-files", "--cached", "--others", "--exclude-standard"];
-    let out = Command::new("git").args(args).current_dir(root).output();
+    listed(root, &["--cached", "--others", "--exclude-standard"])
+}
+
+/// Snapshots that wait for somebody to accept them. git ignores them.
+fn waiting(root: &Path) -> Vec<PathBuf> {
+    let ignored = ["--others", "--ignored", "--exclude-standard"];
+    let wanted = ["--", "*.snap.new", ":(exclude,glob)**/target/**"];
+    listed(root, &[&ignored[..], &wanted[..]].concat())
+}
+
+/// Files that `git ls-files` lists, whatever is in their names.
+fn listed(root: &Path, which: &[&str]) -> Vec<PathBuf> {
+    let out = Command::new("git").args(["ls-files", "-z"]).args(which).current_dir(root).output();
     let text = out.map(|o| String::from_utf8_lossy(&o.stdout).into_owned()).unwrap_or_default();
-    text.lines().map(PathBuf::from).collect()
+    text.split('\0').filter(|name| !name.is_empty()).map(PathBuf::from).collect()
 }
 
 /// Modules have a purpose and a size that a reader can hold.
@@ -133,6 +143,25 @@ mod tests {
         assert_eq!(found(generated, "generated/a/map.txt", "# drivewright, `cargo xtask regen`\n"), 0);
         assert_eq!(found(machine, "a.md", "in /home/me\n"), 1);
         assert_eq!(found(machine, "a.md", "in ./home\n"), 0);
+    }
+
+    #[test]
+    fn files_with_odd_names_and_waiting_snapshots_are_listed() {
+        let root = std::env::temp_dir().join(format!("drivewright-tidy-{}", std::process::id()));
+        let _ = std::fs::remove_dir_all(&root);
+        std::fs::create_dir_all(root.join("target")).unwrap();
+        for (name, text) in [
+            (".gitignore", "*.snap.new\n/target\n"),
+            ("µ \"a\".md", "[x](nowhere)\n"),
+            ("a.snap.new", ""),
+            ("target/b.snap.new", ""),
+        ] {
+            std::fs::write(root.join(name), text).unwrap();
+        }
+        assert!(Command::new("git").arg("init").arg("-q").current_dir(&root).status().unwrap().success());
+        assert_eq!(tracked(&root), [PathBuf::from(".gitignore"), PathBuf::from("µ \"a\".md")]);
+        assert_eq!(waiting(&root), [PathBuf::from("a.snap.new")]);
+        std::fs::remove_dir_all(&root).unwrap();
     }
 
     #[test]

@@ -8,6 +8,9 @@ use crate::source::{SourceMap, Span};
 /// A finding as JSON has it. The shape is stable: keys are added, never changed.
 #[derive(Serialize)]
 struct Finding<'a> {
+    /// The profile's folder, as it was named.
+    #[serde(skip_serializing_if = "str::is_empty")]
+    folder: &'a str,
     code: &'static str,
     severity: &'static str,
     title: &'static str,
@@ -39,14 +42,16 @@ struct Related<'a> {
     text: &'a str,
 }
 
-/// One JSON object a line.
-pub fn lines(findings: &[Diagnostic], sources: &SourceMap) -> String {
-    let line = |d: &Diagnostic| serde_json::to_string(&finding(d, sources)).unwrap_or_default() + "\n";
+/// One JSON object a line. `folder` is the profile's, from which paths go on; it is left out where it is empty.
+pub fn lines(findings: &[Diagnostic], sources: &SourceMap, folder: &str) -> String {
+    let line =
+        |d: &Diagnostic| serde_json::to_string(&finding(d, sources, folder)).unwrap_or_default() + "\n";
     findings.iter().map(line).collect()
 }
 
-fn finding<'a>(d: &'a Diagnostic, sources: &'a SourceMap) -> Finding<'a> {
+fn finding<'a>(d: &'a Diagnostic, sources: &'a SourceMap, folder: &'a str) -> Finding<'a> {
     Finding {
+        folder,
         code: d.code.id(),
         severity: d.severity().word(),
         title: d.code.title(),
