@@ -78,11 +78,11 @@ fn leaves(value: &Value, at: &str, out: &mut Vec<String>) {
         Value::Object(fields) => {
             let own = fields.iter().filter(|(key, _)| !derived(key) && !total(key));
             own.for_each(|(key, value)| {
-                leaves(value, &format!("{at}/{}", key.replace('~', "~0").replace('/', "~1")), out)
+                leaves(value, &format!("{at}/{}", key.replace('~', "~0").replace('/', "~1")), out);
             });
         }
         Value::Array(items) => {
-            items.iter().enumerate().for_each(|(n, item)| leaves(item, &format!("{at}/{n}"), out))
+            items.iter().enumerate().for_each(|(n, item)| leaves(item, &format!("{at}/{n}"), out));
         }
         _ => out.push(at.to_owned()),
     }
@@ -125,9 +125,10 @@ fn every_single_change_is_reported_and_every_field_has_a_rule() {
             let unruled = report.changes.iter().find(|c| c.rule == "no_rule");
             assert_eq!(unruled, None, "{}: {pointer}", model.drive.id);
             rules.extend(report.changes.iter().map(|c| c.rule));
-            for shown in
-                [text(&report, drivewright_codegen::diag::render::Style::default()), json(&[report.clone()])]
-            {
+            for shown in [
+                text(&report, drivewright_codegen::diag::render::Style::default()),
+                json(std::slice::from_ref(&report)),
+            ] {
                 assert!(shown.contains(report.changes[0].rule) || report.changes[0].is_source(), "{shown}");
             }
         }
@@ -176,7 +177,7 @@ fn hostile_names_stay_text() {
     }
     let report = compare(&one, &other);
     assert_eq!(report.changes.len(), 1);
-    let page = markdown(&[report.clone()], "", 65_000);
+    let page = markdown(std::slice::from_ref(&report), "", 65_000);
     assert!(
         !page.contains("<script>") && !page.contains("</details>") && !page.contains('\u{202E}'),
         "{page}"
