@@ -91,6 +91,15 @@ pub(crate) enum Command {
                             drivewright dcf sdv3-e --config axis.toml --out axis.dcf --check\n\n\
                             profiles/CONFIGURATIONS.md describes the configuration.")]
     Dcf(DcfArguments),
+    /// Lists what a profile does not state yet: to enable the drive, to commission an axis, and what would be nice.
+    #[command(after_help = "Example:\n  drivewright todo sdv3-e")]
+    Todo {
+        /// Ids of drives below `profiles/`, or profiles' folders; every drive when left out.
+        drives: Vec<String>,
+    },
+    /// Tells what a revision of a drive means to its users, and which version its crate needs.
+    #[command(after_help = DIFF_HELP)]
+    Diff(DiffArguments),
     /// Lists every code.
     #[command(after_help = "Examples:\n  drivewright lints\n  drivewright lints --json")]
     Lints,
@@ -155,6 +164,61 @@ pub(crate) struct DcfArguments {
     /// How findings are printed.
     #[arg(long, value_enum, default_value_t)]
     pub(crate) format: Format,
+}
+
+pub(crate) const DIFF_HELP: &str = "\
+Examples:
+  drivewright diff old/sdv3-e profiles/savch/sdv3-e
+  drivewright diff v0.1.0:profiles/savch/sdv3-e sdv3-e
+  drivewright diff main:generated/savch-sdv3-e/model.json generated/savch-sdv3-e/model.json
+  drivewright diff --base main sdv3-e --fail-on version
+  drivewright diff --base origin/main --format markdown
+
+A side is a profile's folder, the id of a drive below `profiles/`, a model.json, or either in a git revision (REV:PATH).
+With --base the old side is the drive's model.json below `generated/` in that revision, or its profile where there is none;
+without a drive, every drive that differs is shown.
+A difference is no finding: the exit code is 0 unless --fail-on finds what it is asked for, then 1.";
+
+/// What `diff` is asked for.
+#[derive(Args)]
+pub(crate) struct DiffArguments {
+    /// OLD and NEW; with --base, ids or folders of drives.
+    #[arg(value_name = "SIDE")]
+    pub(crate) sides: Vec<String>,
+    /// Compare with this git revision.
+    #[arg(long, value_name = "REV")]
+    pub(crate) base: Option<String>,
+    /// How the differences are printed. `--json` is short for `--format json`.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) format: DiffFormat,
+    /// End with 1 if there is a difference of this kind.
+    #[arg(long, value_enum, value_name = "WHAT")]
+    pub(crate) fail_on: Option<FailOn>,
+}
+
+/// How differences are printed.
+#[derive(Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DiffFormat {
+    /// For people.
+    #[default]
+    Text,
+    /// For a comment of a pull request, at most 65,000 bytes.
+    Markdown,
+    /// One JSON object.
+    Json,
+}
+
+/// Which differences are findings.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum FailOn {
+    /// What breaks code.
+    Breaking,
+    /// What breaks code or moves an axis.
+    Axis,
+    /// Every difference.
+    Any,
+    /// A crate version that was not raised enough.
+    Version,
 }
 
 /// How findings are printed. `--json` is short for `--format json`.

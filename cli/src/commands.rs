@@ -15,7 +15,7 @@ use drivewright_codegen::{Compiled, compile_folder, configuration, emit, schema}
 use crate::arguments::{Arguments, Command, Format};
 use crate::drives::{folder, folders};
 use crate::output::{Shape, colour, counted, disk, print, several, tell, tell_all, working};
-use crate::{End, audit, coverage, dcf, explain};
+use crate::{End, audit, coverage, dcf, diff, explain, todo};
 
 /// Runs the command.
 pub(crate) fn run(arguments: &Arguments) -> End {
@@ -33,6 +33,8 @@ pub(crate) fn run(arguments: &Arguments) -> End {
         Command::Explain { of, what } => explain::run(of, what),
         Command::Audit(wanted) => audit::run(wanted, shape),
         Command::Coverage { drives } => coverage::run(drives, json),
+        Command::Todo { drives } => todo::run(drives, json),
+        Command::Diff(wanted) => diff::run(wanted, shape),
         Command::Lints => print(&if json { codes_json() } else { codes() }),
         Command::Dcf(wanted) => dcf::run(wanted, asked(wanted.format), quiet),
         Command::Schema { configuration: true } => print(&schema::configuration_schema()),

@@ -18,7 +18,7 @@ pub(crate) struct Found {
 const PROFILES: &str = "profiles";
 
 /// Every `profiles/<vendor>/<drive>` below the current folder, in path order; none where there is no such folder.
-fn all() -> Vec<PathBuf> {
+pub(crate) fn all() -> Vec<PathBuf> {
     load::drives(Path::new(PROFILES)).unwrap_or_default()
 }
 

@@ -12,9 +12,12 @@ mod audit;
 mod commands;
 mod coverage;
 mod dcf;
+mod diff;
 mod drives;
 mod explain;
+mod git;
 mod output;
+mod todo;
 
 use std::process::ExitCode;
 

@@ -10,6 +10,7 @@ pub mod configuration;
 pub mod coverage;
 pub mod dcf;
 pub mod diag;
+pub mod diff;
 pub mod emit;
 pub mod facts;
 pub mod limits;
@@ -23,6 +24,7 @@ pub mod rows;
 pub mod schema;
 pub mod sink;
 pub mod source;
+pub mod todo;
 
 use std::path::{Path, PathBuf};
 

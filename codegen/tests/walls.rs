@@ -25,6 +25,8 @@ const WALLS: &[(&str, &[&str])] = &[
     ("audit", &["raw", "merge", "resolve", "check", "backend", "emit", "sink", "load", "build"]),
     ("configuration", &["merge", "resolve", "check", "backend", "facts", "dcf", "sink", "load", "build"]),
     ("dcf", &["raw", "rows", "merge", "resolve", "check", "facts", "sink", "load", "build"]),
+    ("diff", &["raw", "rows", "merge", "resolve", "check", "facts", "sink", "load", "build"]),
+    ("todo", &["raw", "rows", "merge", "resolve", "check", "backend", "emit", "sink", "load", "build"]),
     ("coverage", &["raw", "merge", "resolve", "check", "backend", "emit", "sink", "load", "build"]),
     (
         "load",
@@ -60,6 +62,8 @@ const EVERYTHING: &[&str] = &[
     "coverage",
     "configuration",
     "dcf",
+    "diff",
+    "todo",
     "load",
     "sink",
     "build",

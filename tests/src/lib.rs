@@ -7,6 +7,7 @@
 )]
 
 pub mod cases;
+pub mod dice;
 pub mod drives;
 pub mod random;
 pub mod esi;

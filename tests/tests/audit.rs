@@ -10,6 +10,7 @@ use drivewright_codegen::audit::{Contradiction, Finding, Kind, audit, contradict
 use drivewright_codegen::facts::{FactLine, Table, facts};
 use drivewright_codegen::model::{Cite, Class};
 use drivewright_codegen::{Compiled, compile, load};
+use drivewright_tests::dice::Dice;
 use drivewright_tests::{drives, skipped};
 
 const CHANGES: usize = 2000;
@@ -37,17 +38,6 @@ fn profiles() -> impl Iterator<Item = (String, Compiled)> {
         let compiled = compile(load::folder(&folder).sources);
         (compiled.model.as_ref().expect("a model").drive.id.clone(), compiled)
     })
-}
-
-/// A sequence that is the same in every run.
-struct Dice(u64);
-
-impl Dice {
-    /// The next number below `n`.
-    fn below(&mut self, n: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        usize::try_from(self.0 >> 33).expect("31 bits") % n
-    }
 }
 
 /// How a fact is changed; `None` where it cannot be in this way.

@@ -1,4 +1,4 @@
-//! The project's own commands: `cargo xtask regen`, `test`, `tidy`, `bench`, `fuzz`.
+//! The project's own commands: `cargo xtask regen`, `new`, `test`, `tidy`, `bench`, `fuzz`.
 //!
 //! Exit codes: 0 fine, 1 findings, 2 usage, 3 the disk refused.
 
@@ -7,6 +7,7 @@
 mod audits;
 mod judges;
 mod links;
+mod new;
 mod outcome;
 mod outside;
 mod regen;
@@ -27,6 +28,7 @@ Commands:
   regen [DRIVE...]   compile every profile (or those named) to every output under generated/
     --check          write nothing; name every missing, changed and orphaned file, and exit 1 if there is one
     --diff           write nothing; show what would change
+  new VENDOR/DRIVE   make a profile that compiles, and list what it does not state yet
   test               run everything and say what was skipped, and why
     --full           add the slow parts
   tidy               check what no other tool knows
@@ -90,6 +92,7 @@ fn run(command: &str, options: &Options) -> End {
     let root = options.root.clone().unwrap_or_else(root);
     match command {
         "regen" => regen::run(&root, options),
+        "new" => new::run(&root, options),
         "test" => test::run(&root, options),
         "tidy" => tidy::run(&root, options),
         "bench" => tools::bench(&root, options),

@@ -40,7 +40,10 @@ pub fn tracked(root: &Path) -> Vec<PathBuf> {
 fn waiting(root: &Path) -> Vec<PathBuf> {
     let ignored = ["--others", "--ignored", "--exclude-standard"];
     let wanted = ["--", "*.snap.new", ":(exclude,glob)**/target/**"];
-    listed(root, &[&ignored[..], &wanted[..]].concat())
+    let mut found = listed(root, &[&ignored[..], &wanted[..]].concat());
+    // Repositories that tests make below `target` are listed as folders, whatever is wanted.
+    found.retain(|path| path.extension().is_some_and(|e| e == "new"));
+    found
 }
 
 /// Files that `git ls-files` lists, whatever is in their names.

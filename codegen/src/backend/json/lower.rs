@@ -17,7 +17,7 @@ const ABOUT: &str = "Facts of the drive for other programs. Written by drivewrig
 /// The whole file.
 pub(super) fn document(model: &Model) -> Document<'_> {
     Document {
-        format: 1,
+        format: super::FORMAT,
         about: ABOUT,
         drive: drive(model),
         identity: identity(model),

@@ -22,6 +22,15 @@ use crate::model::Model;
 /// `model.json`: the whole model for other programs.
 pub struct Json;
 
+/// Version of the format.
+pub const FORMAT: u8 = 1;
+
+/// The document as a value, for programs that compare models.
+pub fn value(model: &Model) -> serde_json::Value {
+    // Text, numbers, lists and structs: none of them can fail to become JSON.
+    serde_json::to_value(lower::document(model)).unwrap_or_default()
+}
+
 impl Backend for Json {
     fn id(&self) -> &'static str {
         "json"
