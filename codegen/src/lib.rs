@@ -6,6 +6,7 @@ pub mod audit;
 pub mod backend;
 mod build;
 pub mod check;
+pub mod convert;
 pub mod coverage;
 pub mod diag;
 pub mod emit;

@@ -35,6 +35,7 @@ const WALLS: &[(&str, &[&str])] = &[
             "load", "build",
         ],
     ),
+    ("convert", &["rows", "merge", "resolve", "model", "check", "backend", "facts", "sink", "load", "build"]),
     ("build", &["raw", "rows", "merge", "resolve", "check", "emit", "facts", "load"]),
     ("name", EVERYTHING),
     ("limits", EVERYTHING),
@@ -50,6 +51,8 @@ const EVERYTHING: &[&str] = &[
 const KNOWERS: &[(&str, &[&str])] = &[
     ("annotate_snippets", &["diag/render.rs"]),
     ("use ::toml", &["raw/toml.rs"]),
+    ("toml_parser", &["raw/toml.rs"]),
+    ("quick_xml", &["raw/xml"]),
     ("minijinja", &["backend/rust"]),
 ];
 
