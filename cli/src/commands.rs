@@ -12,10 +12,10 @@ use drivewright_codegen::model::Model;
 use drivewright_codegen::sink::{self, Difference, SinkError, State};
 use drivewright_codegen::{Compiled, compile_folder, emit, schema};
 
-use crate::arguments::{Arguments, Command, Format};
+use crate::arguments::{Arguments, Command, Format, SchemaFormat};
 use crate::drives::folder;
 use crate::output::{counted, disk, print, several};
-use crate::{End, audit, coverage};
+use crate::{End, audit, convert, coverage};
 
 /// Runs the command.
 pub(crate) fn run(arguments: &Arguments) -> End {
@@ -32,9 +32,11 @@ pub(crate) fn run(arguments: &Arguments) -> End {
         }
         Command::Explain { code } => explain(code),
         Command::Audit(asked) => audit::run(asked, quiet),
+        Command::Convert(asked) => convert::run(asked, quiet),
         Command::Coverage { drives, json } => coverage::run(drives, *json),
         Command::Lints => print(&codes()),
-        Command::Schema => print(&schema::profile_schema()),
+        Command::Schema { format: SchemaFormat::Json } => print(&schema::profile_schema()),
+        Command::Schema { format: SchemaFormat::Xsd } => print(&schema::xsd::profile_xsd()),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(*shell, &mut Arguments::command(), "drivewright", &mut script);
@@ -84,7 +86,7 @@ fn counts(model: &Model, folder: &str) -> String {
     )
 }
 
-fn style() -> render::Style {
+pub(crate) fn style() -> render::Style {
     let no_colour = std::env::var_os("NO_COLOR").is_some_and(|v| !v.is_empty());
     render::Style { colour: std::io::stderr().is_terminal() && !no_colour }
 }

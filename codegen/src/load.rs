@@ -65,6 +65,13 @@ pub fn folder(folder: &Path) -> Loaded {
     loaded
 }
 
+/// Reads one file of a profile, wherever it is.
+pub fn file(path: &Path) -> Loaded {
+    let mut loaded = Loaded { read: vec![path.to_owned()], ..Loaded::default() };
+    loaded.text(path);
+    loaded
+}
+
 fn files(folder: &Path) -> io::Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     for entry in fs::read_dir(folder)? {

@@ -135,7 +135,7 @@ impl Builder<'_> {
             table.tail.extend(lines(&inside));
         }
         let heads = if first { self.heads(&before, start as usize) } else { 0 };
-        self.document.head = lines(&before[..heads]);
+        self.document.head.extend(lines(&before[..heads]));
         let before = lines(&before[heads..]);
         self.document.tables.push(Table { before, name: name.clone(), rows: Vec::new(), tail: Vec::new() });
         self.last = None;
@@ -212,12 +212,25 @@ impl Builder<'_> {
                     let notes = self.notes(item.span, list.last_mut().map(|last| &mut last.0));
                     list.push((notes, self.scalar(item)));
                 }
+                self.behind_item(field.value.span.range().end, list.last_mut());
                 Value::List(list)
             }
             _ => Value::One(self.scalar(&field.value)),
         };
         self.end = field.value.span.range().end;
         value
+    }
+
+    /// Gives the last item of a list that ends before byte `end` the comments behind it in its line.
+    fn behind_item(&mut self, end: usize, last: Option<&mut (Notes, Scalar)>) {
+        let Some((notes, _)) = last else { return };
+        while let Some((first, rest)) = self.comments.split_first()
+            && first.span.start < end
+            && self.ends_line(first)
+        {
+            notes.trail(lines(std::slice::from_ref(first)));
+            self.comments = rest;
+        }
     }
 
     fn scalar(&self, value: &Sp<RawValue>) -> Scalar {

@@ -80,7 +80,7 @@ impl Writer<'_, '_> {
             self.text.push_str("  { ");
             for (at, field) in row.fields.iter().enumerate() {
                 self.text.push_str(if at == 0 { "" } else { ", " });
-                self.field(field);
+                self.field(1, field);
             }
             self.text.push_str(if row.fields.is_empty() { "}," } else { " }," });
             self.end(&row.notes);
@@ -102,7 +102,7 @@ impl Writer<'_, '_> {
             self.text.push_str(close);
             for (at, field) in row.fields.iter().enumerate() {
                 self.comments(0, &field.notes.before);
-                self.field(field);
+                self.field(0, field);
                 let last = at + 1 == row.fields.len();
                 let after = field.notes.after.iter().chain(row.notes.after.iter().filter(|_| last));
                 let after = after.map(String::as_str).collect::<Vec<_>>();
@@ -121,23 +121,23 @@ impl Writer<'_, '_> {
         }
     }
 
-    fn field(&mut self, field: &Field) {
+    fn field(&mut self, depth: usize, field: &Field) {
         self.key(&field.key.value);
         self.text.push_str(" = ");
         match &field.value {
             Value::One(scalar) => self.scalar(scalar),
-            Value::List(items) => self.items(items),
+            Value::List(items) => self.items(depth, items),
         }
     }
 
     /// A list: in one line if no comment stands in it.
-    fn items(&mut self, items: &[(Notes, Scalar)]) {
+    fn items(&mut self, depth: usize, items: &[(Notes, Scalar)]) {
         let apart = items.iter().any(|(notes, _)| !notes.is_empty());
         self.text.push_str(if apart { "[\n" } else { "[" });
         for (at, (notes, scalar)) in items.iter().enumerate() {
-            self.comments(2, &notes.before);
+            self.comments(depth + 1, &notes.before);
             match (apart, at) {
-                (true, _) => self.begin(2),
+                (true, _) => self.begin(depth + 1),
                 (false, 0) => {}
                 (false, _) => self.text.push(' '),
             }
@@ -149,7 +149,7 @@ impl Writer<'_, '_> {
                 self.end(notes);
             }
         }
-        self.begin(usize::from(apart));
+        self.begin(if apart { depth } else { 0 });
         self.text.push(']');
     }
 

@@ -160,6 +160,7 @@ impl Report<'_> {
             }
             code::NAMESPACE => "a profile is one flat file: nothing is included, and no schema is fetched",
             code::INSTRUCTION => "it speaks to one program, and a profile means the same to all",
+            code::TOO_DEEP => "a table holds rows, a row holds values, and a value is at most a list",
             code::ENCODING => "only in UTF-8 does each byte mean the same to every reader",
             _ => "what stands there would be lost, or read as something else",
         };

@@ -205,6 +205,11 @@ impl Tree<'_, '_, '_> {
     /// An item of a list begins.
     pub(super) fn item(&mut self, open: &Open, tag: &BytesStart<'_>) -> bool {
         let name = &self.source[open.name.clone()];
+        if self.values.len() > 1 {
+            let help = "write each fact as a row of its own";
+            self.refuse(code::TOO_DEEP, open.name.clone(), "elements are nested too deep", help);
+            return false;
+        }
         let Some(Value { shape, items, .. }) = self.values.last_mut().filter(|_| name == "item") else {
             let message = format!("`<{name}>` stands in a value");
             let help = "a value is text, or a list of `<item>...</item>`";
@@ -240,7 +245,7 @@ impl Tree<'_, '_, '_> {
         let Some(value) = self.values.pop() else { return };
         let read = match self.value(value, content.clone()) {
             RawValue::List(_) => RawValue::Other("a list in a list"),
-            read => read,
+            one => one,
         };
         let item = Sp::new(read, self.report.span(content));
         self.values
