@@ -92,7 +92,8 @@ const BOM: char = '\u{FEFF}';
 
 /// Hands each event to `take`, with its place. Ends where the text ends or can be followed no further.
 fn events<'a>(text: &'a str, mut take: impl FnMut(Result<Event<'a>, String>, Range<usize>)) {
-    let base = text.len() - text.strip_prefix(BOM).unwrap_or(text).len();
+    // A second mark is reported, and would be skipped without being counted.
+    let base = text.len() - text.trim_start_matches(BOM).len();
     let mut reader = Reader::from_str(text.get(base..).unwrap_or_default());
     let config = reader.config_mut();
     (config.check_end_names, config.allow_unmatched_ends, config.allow_dangling_amp) = (false, true, true);
