@@ -8,6 +8,7 @@
 
 pub mod cases;
 pub mod drives;
+pub mod formats;
 
 use std::fs::OpenOptions;
 use std::io::Write;

@@ -112,14 +112,14 @@ impl<'a, 'r, 's> Tree<'a, 'r, 's> {
         }
     }
 
-    /// A comment may stand everywhere but in a value.
+    /// A comment may stand everywhere but in a text; whether a value is one shows when it ends.
     pub(super) fn comment(&mut self, range: Range<usize>) {
         let inner = &self.source[range.clone()];
         let inner = inner.strip_prefix("<!--").and_then(|rest| rest.strip_suffix("-->")).unwrap_or_default();
         if inner.contains("--") || inner.ends_with('-') {
             self.wrong(range, "a comment holds `--` before its end");
-        } else if self.skipped == 0 && self.values.last().is_some_and(Value::is_text) {
-            self.refuse(code::MISPLACED, range, "a comment stands in a value", "move it before the element");
+        } else if let Some(value) = self.values.last_mut().filter(|_| self.skipped == 0) {
+            value.comment.get_or_insert(range);
         }
     }
 

@@ -36,6 +36,8 @@ pub(super) struct Value {
     /// What the attribute `kind` says that it is.
     kind: Option<Kind>,
     items: Option<Vec<Sp<RawValue>>>,
+    /// The first comment in it.
+    pub(super) comment: Option<Range<usize>>,
     /// Whether it has been reported.
     pub(super) broken: bool,
 }
@@ -223,7 +225,7 @@ impl Tree<'_, '_, '_> {
     }
 
     fn begin_value(&mut self, shape: Shape, tag: &BytesStart<'_>) {
-        self.values.push(Value { shape, kind: None, items: None, broken: false });
+        self.values.push(Value { shape, kind: None, items: None, comment: None, broken: false });
         self.only(tag, "kind", |tree, range| {
             let word = &tree.source[range.clone()];
             let kind = Kind::ALL.into_iter().find(|kind| kind.word() == word);
@@ -273,6 +275,15 @@ impl Tree<'_, '_, '_> {
                 RawValue::List(items)
             }
             _ if is_list => RawValue::List(Vec::new()),
+            Value { comment: Some(range), .. } => {
+                self.refuse(
+                    code::MISPLACED,
+                    range,
+                    "a comment stands in a value",
+                    "move it before the element",
+                );
+                RawValue::Reported
+            }
             Value { shape, kind, .. } => self.read(content, Where::Element, shape.takes, kind),
         }
     }
