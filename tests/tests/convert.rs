@@ -149,7 +149,8 @@ fn found(sources: Vec<Source>) -> Vec<(&'static str, String, String)> {
     let pointed = |d: &drivewright_codegen::diag::Diagnostic| {
         let text = compiled.sources.text(d.span.file).get(d.span.range()).unwrap_or_default();
         // Rows, lists and hidden characters look different; a text stands in quotes.
-        let text = text.replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&amp;", "&");
+        let text =
+            text.replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&amp;", "&");
         let other = text.starts_with(['{', '<', '[']) || text.contains(['\\', '&']);
         let text = if other { "..." } else { &text };
         text.trim_matches(['"', '\'']).to_owned()
