@@ -109,6 +109,17 @@ fn texts(loaded: Loaded, to: source::Format) -> Result<Vec<(String, String)>, En
     Err(End::Findings)
 }
 
+/// Place and text of the file `name` of TOML in a profile: as XML where that file is there as XML, so that there is one.
+pub(crate) fn in_place_of(profile: &Path, name: &str, text: String) -> (PathBuf, String) {
+    let place = profile.join(renamed(name, source::Format::Xml));
+    let mut sources = SourceMap::default();
+    let file = sources.add(name, text.as_str());
+    match convert(file, &sources, rows::shape, source::Format::Xml) {
+        Ok(xml) if place.exists() => (place, xml),
+        _ => (profile.join(name), text),
+    }
+}
+
 /// The name of a file in another format.
 fn renamed(name: &str, to: source::Format) -> String {
     let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);

@@ -65,10 +65,12 @@ impl Notes {
     }
 
     /// Adds the comment at the end of the line.
-    fn trail(&mut self, lines: Vec<String>) {
+    fn trail(&mut self, lines: &[String]) {
         let text = lines.iter().map(|line| line.trim()).collect::<Vec<_>>().join(" ");
         let after = self.after.get_or_insert_default();
-        *after = format!("{} {text}", after.trim_end()).trim_end().to_owned();
+        after.truncate(after.trim_end().len());
+        after.extend([" ", &text]);
+        after.truncate(after.trim_end().len());
     }
 }
 
@@ -167,7 +169,7 @@ impl Builder<'_> {
         };
         let (ended, of_row): (Vec<_>, Vec<_>) = trailing.into_iter().partition(ended);
         if let (Some(row), false) = (table.rows.last_mut(), of_row.is_empty()) {
-            row.notes.trail(lines(&of_row));
+            row.notes.trail(&lines(&of_row));
         }
         ended
     }
@@ -176,7 +178,7 @@ impl Builder<'_> {
         let (trailing, own) = self.before(start);
         let mut before = Vec::new();
         match self.last.and_then(|last| self.document.tables.get_mut(last)?.rows.last_mut()) {
-            Some(row) if !trailing.is_empty() => row.notes.trail(lines(&trailing)),
+            Some(row) if !trailing.is_empty() => row.notes.trail(&lines(&trailing)),
             _ => before = lines(&trailing),
         }
         before.extend(lines(&own));
@@ -197,7 +199,7 @@ impl Builder<'_> {
         let (trailing, own) = self.before(span.start);
         let mut before = Vec::new();
         match last {
-            Some(notes) if !trailing.is_empty() => notes.trail(lines(&trailing)),
+            Some(notes) if !trailing.is_empty() => notes.trail(&lines(&trailing)),
             _ => before = lines(&trailing),
         }
         before.extend(lines(&own));
@@ -212,7 +214,9 @@ impl Builder<'_> {
                     let notes = self.notes(item.span, list.last_mut().map(|last| &mut last.0));
                     list.push((notes, self.scalar(item)));
                 }
-                self.behind_item(field.value.span.range().end, list.last_mut());
+                if let Some((notes, _)) = list.last_mut() {
+                    self.behind_item(field.value.span.range().end, notes);
+                }
                 Value::List(list)
             }
             _ => Value::One(self.scalar(&field.value)),
@@ -222,13 +226,12 @@ impl Builder<'_> {
     }
 
     /// Gives the last item of a list that ends before byte `end` the comments behind it in its line.
-    fn behind_item(&mut self, end: usize, last: Option<&mut (Notes, Scalar)>) {
-        let Some((notes, _)) = last else { return };
+    fn behind_item(&mut self, end: usize, notes: &mut Notes) {
         while let Some((first, rest)) = self.comments.split_first()
             && first.span.start < end
             && self.ends_line(first)
         {
-            notes.trail(lines(std::slice::from_ref(first)));
+            notes.trail(&lines(std::slice::from_ref(first)));
             self.comments = rest;
         }
     }

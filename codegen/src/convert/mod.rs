@@ -31,7 +31,9 @@ pub fn convert(
         Format::Xml => raw::xml::comments(text),
     };
     if from == Format::Xml {
-        comments.iter_mut().for_each(|c| c.text = comment::from_xml(&c.text));
+        for comment in &mut comments {
+            comment.text = comment::from_xml(&comment.text);
+        }
     }
     let document = document::build(text, from, &tables, &comments);
     let mut refused = Refusals { file, sink: &mut sink };

@@ -138,21 +138,21 @@ mod tests {
 
     #[test]
     fn a_text_is_what_the_key_takes() {
-        let value = |text, takes| match read(text, takes) {
+        let kind = |text: &str, takes| match read(text, takes) {
             Literal::Value(value) => value.kind(),
             Literal::Fraction => "a fraction",
             Literal::TooWide => "too wide",
         };
-        assert_eq!(value("0x10", Takes::Text), "text");
-        assert_eq!(value("0x10", Takes::Any), "a whole number");
-        assert_eq!(value("true", Takes::Number), "text");
-        assert_eq!(value("true", Takes::Any), "true or false");
-        assert_eq!(value("1.0", Takes::Text), "text");
-        assert_eq!(value("1.0", Takes::Any), "a fraction");
-        assert_eq!(value("-1e3", Takes::Number), "a fraction");
-        assert_eq!(value("1e", Takes::Any), "text");
-        assert_eq!(value("2S0.75E", Takes::Any), "text");
-        assert_eq!(value(&"9".repeat(40), Takes::Number), "too wide");
-        assert_eq!(value("1", Takes::Truth), "text");
+        assert_eq!(kind("0x10", Takes::Text), "text");
+        assert_eq!(kind("0x10", Takes::Any), "a whole number");
+        assert_eq!(kind("true", Takes::Number), "text");
+        assert_eq!(kind("true", Takes::Any), "true or false");
+        assert_eq!(kind("1.0", Takes::Text), "text");
+        assert_eq!(kind("1.0", Takes::Any), "a fraction");
+        assert_eq!(kind("-1e3", Takes::Number), "a fraction");
+        assert_eq!(kind("1e", Takes::Any), "text");
+        assert_eq!(kind("2S0.75E", Takes::Any), "text");
+        assert_eq!(kind(&"9".repeat(40), Takes::Number), "too wide");
+        assert_eq!(kind("1", Takes::Truth), "text");
     }
 }

@@ -53,7 +53,9 @@ pub fn profile_xsd() -> String {
         let _ = writeln!(out, "        <xs:element name=\"{name}\" type=\"{name}\" minOccurs=\"0\"/>");
     }
     out.push_str("      </xs:all>\n    </xs:complexType>\n  </xs:element>\n");
-    Rows::TABLES.iter().for_each(|table| self::table(table, &mut out));
+    for rows in Rows::TABLES {
+        table(rows, &mut out);
+    }
     out.push_str(SHARED);
     out.push_str("</xs:schema>\n");
     out

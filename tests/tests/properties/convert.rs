@@ -102,7 +102,7 @@ fn comment() -> impl Strategy<Value = String> {
 
 /// Comments on lines of their own, mostly none.
 fn before(indent: &'static str) -> impl Strategy<Value = String> {
-    let lines = move |all: Vec<String>| all.iter().map(|c| format!("{indent}{c}\n")).collect::<String>();
+    let lines = move |all: Vec<String>| all.iter().flat_map(|c| [indent, c, "\n"]).collect::<String>();
     prop_oneof![3 => Just(String::new()), 1 => vec(comment(), 1..3).prop_map(lines)]
 }
 
@@ -234,7 +234,9 @@ proptest! {
         let again = to_toml(&to_xml(&toml));
         let joined = |text: &str| comments(text).concat().split_whitespace().collect::<String>();
         let mut counted = [joined(&toml), joined(&again)].map(|text| text.chars().collect::<Vec<_>>());
-        counted.iter_mut().for_each(|chars| chars.sort_unstable());
+        for chars in &mut counted {
+            chars.sort_unstable();
+        }
         prop_assert_eq!(&counted[0], &counted[1], "{}\n{}", toml, again);
     }
 }
