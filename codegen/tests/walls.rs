@@ -21,7 +21,7 @@ const WALLS: &[(&str, &[&str])] = &[
     ("emit", &["raw", "rows", "merge", "resolve", "model", "check", "backend", "sink", "load"]),
     ("backend", &["raw", "rows", "merge", "resolve", "check", "sink", "load"]),
     ("facts", &["raw", "rows", "merge", "resolve", "check", "backend", "sink", "load"]),
-    ("schema", &["raw", "merge", "resolve", "check", "backend", "emit", "facts", "sink", "load", "build"]),
+    ("schema", &["raw", "merge", "resolve", "check", "backend", "facts", "sink", "load", "build"]),
     ("audit", &["raw", "merge", "resolve", "check", "backend", "emit", "sink", "load", "build"]),
     ("coverage", &["raw", "merge", "resolve", "check", "backend", "emit", "sink", "load", "build"]),
     (

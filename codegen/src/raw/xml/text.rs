@@ -121,11 +121,11 @@ mod tests {
         assert_eq!(said("&amp;lt;"), Ok("&lt;".into()), "what a reference says is not read again");
         assert_eq!(said("µ &nbsp;"), Err(("E0123", 3..9)));
         for no_char in
-            ["&#0;", "&#x1;", "&#xD800;", "&#x110000;", "&#xFFFF;", "&#99999999999;", "&#+65;", "&#;", "&#x;"]
+            ["&#0;", "&#x1;", "&#xD800;", "&#x110000;", "&#xFFFF;", "&#99999999999;", "&#;", "&#x;"]
         {
             assert_eq!(said(no_char), Err(("E0123", 0..no_char.len())), "{no_char}");
         }
-        for no_reference in ["&", "&;", "& a;", "&lt", "&&amp;"] {
+        for no_reference in ["&", "&;", "&#+65;", "& a;", "&lt", "&&amp;"] {
             assert_eq!(said(no_reference), Err(("E0121", 0..1)), "{no_reference}");
         }
         assert_eq!(said("a]]>"), Err(("E0121", 1..4)));
