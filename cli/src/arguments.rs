@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
+use crate::convert::ConvertArguments;
+
 const EXIT_CODES: &str = "\
 Exit codes: 0 fine, 1 findings, 2 wrong usage, 3 the disk refused.
 Colour is used on a terminal only, and never with NO_COLOR set.";
@@ -79,6 +81,11 @@ pub(crate) enum Command {
                             The manuals are their makers' and not part of the project. Without --manual the file is\n\
                             DRIVE.txt in the folder that DRIVEWRIGHT_MANUALS names.")]
     Audit(AuditArguments),
+    /// Converts profile files between TOML and XML, with row order, number notation and comments.
+    #[command(after_help = "Examples:\n  drivewright convert profiles/acme/x1/objects.toml --to xml\n  \
+                            drivewright convert objects.xml --to toml --out objects.toml\n  \
+                            drivewright convert profiles/acme/x1 --to xml --out x1-xml")]
+    Convert(ConvertArguments),
     /// Counts, for each table of a drive, how many rows have which keys.
     #[command(after_help = "Examples:\n  drivewright coverage\n  drivewright coverage sdv3-e --json")]
     Coverage {
@@ -103,13 +110,17 @@ pub(crate) enum Command {
     /// Lists every code.
     #[command(after_help = "Examples:\n  drivewright lints\n  drivewright lints --json")]
     Lints,
-    /// Prints the JSON schema of profiles, for completion in an editor.
+    /// Prints the schema of profiles, for completion in an editor.
     #[command(after_help = "Examples:\n  drivewright schema > profile.schema.json\n  \
-                            drivewright schema --configuration")]
+                            drivewright schema --format xsd > profile.xsd\n  \
+                            drivewright schema --configuration > configuration.schema.json")]
     Schema {
-        /// Print that of configurations.
-        #[arg(long)]
+        /// Print that of configurations. It is a JSON schema.
+        #[arg(long, conflicts_with = "format")]
         configuration: bool,
+        /// JSON schema for TOML files, XSD for XML files.
+        #[arg(long, value_enum, default_value_t)]
+        format: SchemaFormat,
     },
     /// Prints a completion script.
     #[command(
@@ -231,6 +242,16 @@ pub(crate) enum Format {
     Json,
     /// GitHub workflow commands, on standard output.
     Github,
+}
+
+/// A language of schemas.
+#[derive(Clone, Copy, Default, ValueEnum)]
+pub(crate) enum SchemaFormat {
+    /// JSON schema, draft 7.
+    #[default]
+    Json,
+    /// XML schema 1.0.
+    Xsd,
 }
 
 fn formats() -> clap::builder::PossibleValuesParser {

@@ -9,10 +9,10 @@ use drivewright_codegen::facts::{FactLine, Totals, facts};
 use drivewright_codegen::model::{Manual, Model};
 use serde_json::json;
 
-use crate::End;
 use crate::arguments::AuditArguments;
 use crate::drives::{Found, find};
 use crate::output::{Shape, counted, disk, print, tell, working};
+use crate::{End, convert};
 
 /// Names the folder of text extracts.
 const MANUALS: &str = "DRIVEWRIGHT_MANUALS";
@@ -141,8 +141,8 @@ impl Reading<'_> {
             return end;
         }
         let record = Record::new(&self.manual.id, &self.text, &self.facts, report);
-        let place = self.found.folder.join("audit.toml");
-        match drivewright_codegen::sink::write_file(&place, record.to_toml().as_bytes()) {
+        let (place, text) = convert::in_place_of(&self.found.folder, "audit.toml", record.to_toml());
+        match drivewright_codegen::sink::write_file(&place, text.as_bytes()) {
             Ok(()) => End::Fine,
             Err(error) => disk(&error),
         }

@@ -12,10 +12,10 @@ use drivewright_codegen::sink::{self, Difference, SinkError, State};
 use drivewright_codegen::source::SourceMap;
 use drivewright_codegen::{Compiled, compile_folder, configuration, emit, schema};
 
-use crate::arguments::{Arguments, Command, Format};
+use crate::arguments::{Arguments, Command, Format, SchemaFormat};
 use crate::drives::{folder, folders};
 use crate::output::{Shape, colour, counted, disk, print, several, tell, tell_all, working};
-use crate::{End, audit, coverage, dcf, diff, explain, todo};
+use crate::{End, audit, convert, coverage, dcf, diff, explain, todo};
 
 /// Runs the command.
 pub(crate) fn run(arguments: &Arguments) -> End {
@@ -32,12 +32,14 @@ pub(crate) fn run(arguments: &Arguments) -> End {
         }
         Command::Explain { of, what } => explain::run(of, what),
         Command::Audit(wanted) => audit::run(wanted, shape),
+        Command::Convert(wanted) => convert::run(wanted, asked(Format::Human), quiet),
         Command::Coverage { drives } => coverage::run(drives, json),
         Command::Todo { drives } => todo::run(drives, json),
         Command::Diff(wanted) => diff::run(wanted, shape),
         Command::Lints => print(&if json { codes_json() } else { codes() }),
         Command::Dcf(wanted) => dcf::run(wanted, asked(wanted.format), quiet),
-        Command::Schema { configuration: true } => print(&schema::configuration_schema()),
+        Command::Schema { configuration: true, .. } => print(&schema::configuration_schema()),
+        Command::Schema { format: SchemaFormat::Xsd, .. } => print(&schema::xsd::profile_xsd()),
         Command::Schema { .. } => print(&schema::profile_schema()),
         Command::Completions { shell } => {
             let mut script = Vec::new();

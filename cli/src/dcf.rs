@@ -25,9 +25,9 @@ pub(crate) fn run(asked: &DcfArguments, format: Format, quiet: bool) -> End {
         Err(end) => return end,
     };
     let of = asked.config.display().to_string().replace('\\', "/");
-    let source = match load::file(&asked.config) {
-        Ok(source) => source,
-        Err(unreadable) => return show(&unreadable, &SourceMap::default(), &of, format),
+    let mut loaded = load::file(&asked.config);
+    let Some(source) = loaded.sources.pop() else {
+        return show(&loaded.diagnostics, &SourceMap::default(), &of, format);
     };
     let Some(model) = found.compiled.sound().cloned() else { return End::Findings };
     let (read, findings) = configuration::read(source, &model, &mut found.compiled.sources);

@@ -10,6 +10,7 @@
 mod arguments;
 mod audit;
 mod commands;
+mod convert;
 mod coverage;
 mod dcf;
 mod diff;

@@ -7,6 +7,7 @@ pub mod backend;
 mod build;
 pub mod check;
 pub mod configuration;
+pub mod convert;
 pub mod coverage;
 pub mod dcf;
 pub mod diag;

@@ -1,6 +1,6 @@
 //! Reads a profile's folder into texts. One of the few modules that touch the file system.
 //!
-//! Takes the `.toml` files of one folder, in name order, not those of folders in it. What cannot be read is a finding,
+//! Takes the `.toml` and `.xml` files of one folder, in name order, not those of folders in it. What cannot be read is a finding,
 //! like everything else that is wrong with a profile.
 
 #![allow(clippy::disallowed_methods, reason = "this module reads files for all others")]
@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 use crate::diag::{Code, Diagnostic, code};
 use crate::limits;
-use crate::source::{Source, Span};
+use crate::source::{Format, Source, Span};
 
 /// What a folder holds.
 #[derive(Clone, Default, Debug)]
@@ -62,12 +62,17 @@ pub fn folder(folder: &Path) -> Loaded {
             return loaded;
         }
     };
-    match toml_files(folder) {
+    match files(folder) {
         Err(error) => {
             loaded.finding(code::FILE_MISSING, folder, &error.to_string(), "name a folder that can be read");
         }
         Ok(files) if files.is_empty() => {
-            loaded.finding(code::FILE_MISSING, folder, "it holds no `.toml` file", "add `drive.toml`");
+            loaded.finding(
+                code::FILE_MISSING,
+                folder,
+                "it holds no `.toml` or `.xml` file",
+                "add `drive.toml`",
+            );
         }
         Ok(files) if files.len() > limits::FILES => {
             let text = format!("{} files", files.len());
@@ -83,19 +88,19 @@ pub fn folder(folder: &Path) -> Loaded {
     loaded
 }
 
-/// Reads one file that is no part of a profile. Findings name it as `path` does.
-pub fn file(path: &Path) -> Result<Source, Vec<Diagnostic>> {
-    let mut loaded = Loaded::default();
+/// Reads one file, wherever it is. Findings name it as `path` does.
+pub fn file(path: &Path) -> Loaded {
+    let mut loaded = Loaded { read: vec![path.to_owned()], ..Loaded::default() };
     loaded.text(path);
-    let source = loaded.sources.pop().map(|source| Source { path: shown(path), ..source });
-    source.ok_or(loaded.diagnostics)
+    loaded.sources.iter_mut().for_each(|source| source.path = shown(path));
+    loaded
 }
 
-fn toml_files(folder: &Path) -> io::Result<Vec<PathBuf>> {
+fn files(folder: &Path) -> io::Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
-        if path.extension().is_some_and(|e| e == "toml") && !path.is_dir() {
+        if Format::of(&shown(&path)).is_some() && !path.is_dir() {
             files.push(path);
         }
     }

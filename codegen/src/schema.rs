@@ -2,6 +2,8 @@
 //!
 //! Draft 7, and only its plain parts: that is what TOML language servers understand.
 
+pub mod xsd;
+
 use serde_json::{Map, Value, json};
 
 use crate::limits;

@@ -87,6 +87,35 @@ pub struct Source {
     pub text: String,
 }
 
+/// A format of profile files. Files of both may lie in one folder.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Format {
+    /// `*.toml`
+    Toml,
+    /// `*.xml`
+    Xml,
+}
+
+impl Format {
+    /// Every format.
+    pub const ALL: [Self; 2] = [Self::Toml, Self::Xml];
+
+    /// How names of its files end, without the full stop.
+    pub const fn extension(self) -> &'static str {
+        match self {
+            Self::Toml => "toml",
+            Self::Xml => "xml",
+        }
+    }
+
+    /// The format of the file at `path`, if it is one of a profile.
+    pub fn of(path: &str) -> Option<Self> {
+        let (_, extension) =
+            path.rsplit_once('.').filter(|(name, _)| !name.is_empty() && !name.ends_with('/'))?;
+        Self::ALL.into_iter().find(|format| format.extension() == extension)
+    }
+}
+
 /// Bytes between two places up to which the characters of a text are counted beforehand.
 const STRIDE: usize = 1 << 10;
 

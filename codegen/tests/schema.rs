@@ -1,9 +1,9 @@
-//! The committed JSON schemas are those that the code gives, and describe every key.
+//! The committed schemas are those that the code gives, and describe every key.
 
 #![allow(clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use drivewright_codegen::backend::json::model_schema;
-use drivewright_codegen::schema::{configuration_schema, profile_schema};
+use drivewright_codegen::schema::{configuration_schema, profile_schema, xsd::profile_xsd};
 use serde_json::Value;
 
 #[test]
@@ -11,6 +11,7 @@ fn schemas_are_fresh() {
     assert!(model_schema() == include_str!("../schema/model.schema.json"), "run `cargo xtask regen`");
     let configuration = include_str!("../schema/configuration.schema.json");
     assert!(configuration_schema() == configuration, "run `cargo xtask regen`");
+    assert!(profile_xsd() == include_str!("../schema/profile.xsd"), "run `cargo xtask regen`");
     assert!(profile_schema() == include_str!("../schema/profile.schema.json"), "run `cargo xtask regen`");
 }
 

@@ -66,7 +66,25 @@ pub fn folders(of: &Path) -> Vec<PathBuf> {
 
 /// The `.toml` files in `of`, by name.
 pub fn toml_files(of: &Path) -> Vec<Source> {
-    entries(of).iter().filter(|p| p.extension().is_some_and(|e| e == "toml")).map(|p| read(p)).collect()
+    files(of, "toml")
+}
+
+/// The files in `of` whose names end that way, by name.
+pub fn files(of: &Path, extension: &str) -> Vec<Source> {
+    entries(of).iter().filter(|p| p.extension().is_some_and(|e| e == extension)).map(|p| read(p)).collect()
+}
+
+/// Every profile below `profiles/`, bases included: its folder below that one, and its files.
+pub fn profiles() -> Vec<(String, Vec<Source>)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../profiles");
+    let found = folders(&root).into_iter().flat_map(|vendor| folders(&vendor));
+    let profile = |folder: PathBuf| {
+        let name = folder.strip_prefix(&root).expect("below it").to_string_lossy().replace('\\', "/");
+        (name, toml_files(&folder))
+    };
+    let found: Vec<_> = found.map(profile).filter(|(_, files)| !files.is_empty()).collect();
+    assert!(found.len() >= 4, "only {} profiles found", found.len());
+    found
 }
 
 /// What `of` holds, by name.

@@ -9,8 +9,9 @@
 pub mod cases;
 pub mod dice;
 pub mod drives;
-pub mod random;
 pub mod esi;
+pub mod formats;
+pub mod random;
 
 use std::fs::OpenOptions;
 use std::io::Write;

@@ -1,6 +1,6 @@
 //! Every code with a small profile that shows it, and what a person reads then.
 //!
-//! `diagnostics/<code>-<slug>.toml` are the profiles; lints take the failing example of their page. A file that does not
+//! `diagnostics/<code>-<slug>.toml` and `.xml` are the profiles; lints take the failing example of their page. A file that does not
 //! mention `[drive]` is joined with `diagnostics/shared/drive.toml`.
 //!
 //! To accept a change: `INSTA_UPDATE=always cargo test -p drivewright-tests --test diagnostics`, then read the diff.
@@ -18,10 +18,11 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use drivewright_codegen::check::{LINTS, Lint};
+use drivewright_codegen::convert::convert;
 use drivewright_codegen::diag::{Diagnostic, code, github, json, render};
-use drivewright_codegen::source::{Source, SourceMap};
-use drivewright_codegen::{Compiled, backend, compile, compile_folder, emit, limits};
-use drivewright_tests::cases::{entries, toml_files};
+use drivewright_codegen::source::{Format, Source, SourceMap};
+use drivewright_codegen::{Compiled, backend, compile, compile_folder, emit, limits, rows};
+use drivewright_tests::cases::{entries, files};
 
 const DRIVE: &str = include_str!("../diagnostics/shared/drive.toml");
 
@@ -35,6 +36,8 @@ struct Case {
     sources: Vec<Source>,
     /// Whether other codes come with it. Of those a snapshot holds none.
     company: bool,
+    /// Whether the findings are those of a conversion to XML.
+    converts: bool,
     /// A folder that is no profile, in the place of sources.
     folder: Option<&'static Path>,
 }
@@ -45,11 +48,18 @@ impl Case {
         let own = Source { path: "case.toml".into(), text };
         let sources = if own.text.contains("[drive]") { vec![own] } else { vec![own, shared] };
         let code = name.split('-').next().expect("a code").to_owned();
-        Self { code, name: name.to_owned(), sources, company: false, folder: None }
+        Self { code, name: name.to_owned(), sources, company: false, converts: false, folder: None }
     }
 
     /// The findings of the compiler, and of a sound model what formats lose.
     fn findings(&self) -> (Vec<Diagnostic>, SourceMap) {
+        if self.converts {
+            let mut sources = SourceMap::default();
+            let Source { path, text } = &self.sources[0];
+            let file = sources.add(path.clone(), text.clone());
+            let found = convert(file, &sources, rows::shape, Format::Xml).expect_err("XML cannot hold it");
+            return (found, sources);
+        }
         let compiled = match self.folder {
             Some(folder) => elsewhere(compile_folder(folder).0, folder),
             None => compile(self.sources.clone()),
@@ -126,8 +136,26 @@ const UNREADABLE: &[(&str, Fill)] = &[
 /// The profiles in `diagnostics`.
 fn written() -> Vec<Case> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("diagnostics");
-    let name = |path: &str| path.strip_suffix(".toml").expect("a profile").to_owned();
-    toml_files(&folder).into_iter().map(|s| Case::new(&name(&s.path), s.text)).collect()
+    let case = |source: Source| {
+        let (name, extension) = source.path.rsplit_once('.').expect("a profile");
+        let mut case = Case::new(name, source.text);
+        case.sources[0].path = format!("case.{extension}");
+        case
+    };
+    let found = files(&folder, "toml").into_iter().chain(files(&folder, "xml"));
+    found.map(case).chain(converted()).collect()
+}
+
+/// Files that the other format cannot hold.
+fn converted() -> Vec<Case> {
+    let case = |(name, text): (&str, &str)| Case { converts: true, ..Case::new(name, text.to_owned()) };
+    let texts = [
+        ("E0128-character", "objects = [\n  { at = \"2000:00\", name = \"Speed\\u0000\" },\n]\n"),
+        ("E0128-name", "objects = [\n  { \"a key\" = 1 },\n]\n"),
+        ("E0128-date", "[drive]\ndate = 2026-11-24\n"),
+        ("E0128-comment", "# \u{FFFF}\nobjects = []\n"),
+    ];
+    texts.into_iter().map(case).collect()
 }
 
 /// The failing example of a lint's page.

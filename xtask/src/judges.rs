@@ -48,6 +48,10 @@ pub fn run(root: &Path, options: &Options, step: &mut dyn FnMut(&str, &mut dyn F
         Ok(python) => ask(python, &judges.join("schemas.py"), root, false, quiet),
         Err(why) => Outcome::Skipped(why.clone()),
     });
+    step("XSD of profiles", &mut || match &python {
+        Ok(python) => ask(python, &judges.join("profile_xsd.py"), root, false, quiet),
+        Err(why) => Outcome::Skipped(why.clone()),
+    });
     step("EDS of golden cases", &mut || match &python {
         Ok(python) => ask(python, &judges.join("golden.py"), root, false, quiet),
         Err(why) => Outcome::Skipped(why.clone()),

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use drivewright_codegen::diag::{Diagnostic, Severity, render};
 use drivewright_codegen::emit::FileSet;
-use drivewright_codegen::schema::{configuration_schema, profile_schema};
+use drivewright_codegen::schema::{configuration_schema, profile_schema, xsd::profile_xsd};
 use drivewright_codegen::sink::{self, Difference, SinkError, State};
 use drivewright_codegen::{Compiled, backend, compile_folder, emit, load};
 
@@ -48,15 +48,16 @@ pub fn run(root: &Path, options: &Options) -> End {
     end
 }
 
-/// The JSON schemas of profiles, of configurations and of `model.json`.
+/// The schemas of profiles, of configurations and of `model.json`.
 fn schemas(root: &Path, options: &Options) -> Result<End, SinkError> {
     let mut files = FileSet::default();
     for (path, text) in [
         ("profile.schema.json", profile_schema()),
+        ("profile.xsd", profile_xsd()),
         ("configuration.schema.json", configuration_schema()),
         ("model.schema.json", backend::json::model_schema()),
     ] {
-        // All paths are literals that every RelPath rule allows.
+        // The paths are literals that every RelPath rule allows.
         let _ = files.add(path, text);
     }
     let folder = root.join("codegen/schema");

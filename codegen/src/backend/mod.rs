@@ -1,7 +1,7 @@
 //! Output formats. A new one is a folder here and a line in [`ALL`].
 
-pub mod docs;
 mod assumed;
+pub mod docs;
 pub mod eds;
 pub mod esi;
 pub mod ethercat;
@@ -32,7 +32,8 @@ pub trait Backend: Sync {
 }
 
 /// Every backend, in the order of output.
-pub const ALL: &[&dyn Backend] = &[&rust::Rust, &eds::Eds, &esi::Esi, &sii::Sii, &json::Json, &map::Map, &docs::Docs];
+pub const ALL: &[&dyn Backend] =
+    &[&rust::Rust, &eds::Eds, &esi::Esi, &sii::Sii, &json::Json, &map::Map, &docs::Docs];
 
 #[cfg(test)]
 mod tests {

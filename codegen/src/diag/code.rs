@@ -83,6 +83,14 @@ codes! {
     TOO_DEEP error "E0118" "values are nested too deep";
     TOO_MANY_TABLES error "E0119" "a file has too many tables";
     TOO_MANY_KEYS error "E0120" "a row has too many keys";
+    NOT_XML error "E0121" "the text is not XML";
+    DOCTYPE error "E0122" "a file declares a document type";
+    ENTITY error "E0123" "a reference names no character";
+    NAMESPACE error "E0124" "a name belongs to a namespace";
+    MISPLACED error "E0125" "an element or text stands where none belongs";
+    INSTRUCTION error "E0126" "a file holds a processing instruction";
+    ENCODING error "E0127" "a file says that it is not UTF-8";
+    INEXPRESSIBLE error "E0128" "another format cannot say this";
 
     UNKNOWN_BASE error "E0201" "no such base";
     DUPLICATE_ROW error "E0202" "two rows state the same thing";

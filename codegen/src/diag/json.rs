@@ -47,8 +47,11 @@ struct Related<'a> {
 /// may name what nobody sees: that is an escape in it.
 pub fn lines(findings: &[Diagnostic], sources: &SourceMap, folder: &str) -> String {
     let text = |d: &Diagnostic| serde_json::to_string(&finding(d, sources, folder)).unwrap_or_default();
-    let line = |d: &Diagnostic| escape::json(&text(d)) + "
-";
+    let line = |d: &Diagnostic| {
+        escape::json(&text(d))
+            + "
+"
+    };
     findings.iter().map(line).collect()
 }
 

@@ -151,6 +151,47 @@ fn makes_link(before: &str, rest: &str) -> bool {
             && before.get(before.len().saturating_sub(3)..).is_some_and(|w| w.eq_ignore_ascii_case("www"))
 }
 
+/// Text in an XML element or between the double quotes of an attribute, from which every reader reads the same text: hidden
+/// characters and line breaks as numbers. Those that XML cannot hold at all become U+FFFD.
+pub fn xml(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            c if !is_xml(c) => out.push('\u{FFFD}'),
+            c if is_hidden(c) => drop(write!(out, "&#x{:X};", u32::from(c))),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+/// Whether XML 1.0 can hold a character.
+pub fn is_xml(c: char) -> bool {
+    matches!(c, '\t' | '\n' | '\r' | ' '..='\u{D7FF}' | '\u{E000}'..='\u{FFFD}' | '\u{10000}'..)
+}
+
+/// Text in a basic string of TOML, without the quotes, from which the text can be read back.
+pub fn toml_str(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => out.extend(['\\', c]),
+            '\n' => out.push_str("\\n"),
+            '\t' => out.push_str("\\t"),
+            c if is_hidden(c) => {
+                let n = u32::from(c);
+                let _ = if n > 0xFFFF { write!(out, "\\U{n:08X}") } else { write!(out, "\\u{n:04X}") };
+            }
+            c => out.push(c),
+        }
+    }
+    out
+}
+
 /// A value in an INI file (EDS, DCF): one line of printable ASCII without the signs that some reader takes for a comment,
 /// an escape or a quote. What ASCII cannot say becomes `?`.
 pub fn ini(text: &str) -> String {
@@ -168,23 +209,6 @@ pub fn sii(text: &str) -> String {
     one_line(text).chars().map(ascii).collect()
 }
 
-/// Text or the value of an attribute in XML 1.0: one line of characters that XML can hold, in which none has a meaning of its
-/// own.
-pub fn xml(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in one_line(text).chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&apos;"),
-            c => out.push(if is_in_xml(c) { c } else { char::REPLACEMENT_CHARACTER }),
-        }
-    }
-    out
-}
-
 /// Text inside an XML comment: one line without the two dashes that would end it. Nothing else has a meaning there.
 pub fn xml_comment(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
@@ -192,17 +216,12 @@ pub fn xml_comment(text: &str) -> String {
         if c == '-' && out.ends_with('-') {
             out.push(' ');
         }
-        out.push(if is_in_xml(c) { c } else { char::REPLACEMENT_CHARACTER });
+        out.push(if is_xml(c) { c } else { char::REPLACEMENT_CHARACTER });
     }
     if out.ends_with('-') {
         out.push(' ');
     }
     out
-}
-
-/// Whether XML 1.0 can hold a character that is not hidden.
-fn is_in_xml(c: char) -> bool {
-    !matches!(c, '\u{FFFE}' | '\u{FFFF}')
 }
 
 #[cfg(test)]
@@ -251,6 +270,26 @@ mod tests {
         let literal = format!("\"{}\"", rust_str(HOSTILE));
         let parsed: syn::LitStr = syn::parse_str(&literal).unwrap();
         assert_eq!(parsed.value(), HOSTILE);
+    }
+
+    #[test]
+    fn xml_is_read_as_the_same_text() {
+        let out = xml(HOSTILE);
+        assert!(!out.contains(['<', '>', '"', '\n', '\0', '\u{202E}']), "{out}");
+        assert_eq!(xml("a<b & \"c\"\n\u{1}µ"), "a&lt;b &amp; &quot;c&quot;&#xA;\u{FFFD}µ");
+        assert_eq!(quick_xml_reads(&out), HOSTILE.replace('\0', "\u{FFFD}"));
+    }
+
+    fn quick_xml_reads(text: &str) -> String {
+        quick_xml::escape::unescape(text).unwrap().into_owned()
+    }
+
+    #[test]
+    fn toml_strings_parse_back() {
+        let text = format!("{HOSTILE}\u{7F}\u{E0041}\r\t\\");
+        let table: toml::Table = toml::from_str(&format!("a = \"{}\"", toml_str(&text))).unwrap();
+        assert_eq!(table["a"].as_str(), Some(text.as_str()));
+        assert_eq!(toml_str("\u{202E}\u{E0041}"), "\\u202E\\U000E0041");
     }
 
     #[test]

@@ -10,7 +10,7 @@ use crate::model::Address;
 use crate::raw;
 use crate::rows::address::Sub;
 use crate::rows::tables::ObjectRow;
-use crate::rows::{Row, Rows, suggest};
+use crate::rows::{Row, Rows, shape, suggest};
 use crate::source::{FileId, Source, SourceMap, Span};
 
 /// A base profile with its rows.
@@ -56,7 +56,7 @@ fn sort(rows: &mut Rows) {
 fn parse(files: &[FileId], sources: &SourceMap, sink: &mut Sink) -> Rows {
     let mut rows = Rows::default();
     for file in files {
-        for table in raw::toml::read(*file, sources, sink) {
+        for table in raw::read(*file, sources, shape, sink) {
             rows.add(table, sink);
         }
     }

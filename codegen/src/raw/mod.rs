@@ -1,13 +1,63 @@
 //! One tree for every input format: tables of rows of keys and values, each with its place.
 //!
-//! A reader ([`toml`]) makes it, [`crate::rows`] decodes it. Nothing here knows what a key means.
+//! A reader ([`toml`], [`xml`]) makes it, [`crate::rows`] decodes it. Nothing here knows what a key means.
 
+pub mod literal;
 pub mod toml;
+pub mod xml;
 
 use std::fmt::{self, Write};
+use std::ops::Range;
 
+use crate::diag::{Code, Diagnostic, Sink, code};
 use crate::limits;
-use crate::source::{Sp, Span};
+use crate::source::{FileId, Format, SourceMap, Sp, Span};
+use literal::Shapes;
+
+/// Reads the tables of `file`, which is TOML unless its name says otherwise. `shapes` says what a key takes.
+pub fn read(file: FileId, sources: &SourceMap, shapes: Shapes, sink: &mut Sink) -> Vec<RawTable> {
+    match Format::of(sources.path(file)) {
+        Some(Format::Xml) => xml::read(file, sources, shapes, sink),
+        Some(Format::Toml) | None => toml::read(file, sources, sink),
+    }
+}
+
+/// A comment of a file.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Comment {
+    /// What it says, without the signs around it.
+    pub(crate) text: String,
+    /// Where it stands, those signs included.
+    pub(crate) span: Range<usize>,
+    /// How deep it stands: 0 outside of everything, 1 between tables, 2 in a table.
+    pub(crate) depth: usize,
+}
+
+/// More than a file, table or row may hold. What is in it is not looked at.
+fn too_many(code: Code, span: Span, text: &str) -> Diagnostic {
+    let (most, help) = match code {
+        code::TOO_MANY_TABLES => (limits::TABLES, "put the rows of one kind into one table"),
+        code::TOO_MANY_KEYS => (limits::KEYS, "write each fact as a row of its own"),
+        _ => (limits::ROWS, "split the drive, or remove rows that repeat a fact"),
+    };
+    Diagnostic::new(code, span, text)
+        .why(format!("it holds at most {most}, so that every finding is said in a moment"))
+        .help(help)
+}
+
+/// A whole number that no reader can keep.
+fn too_wide(span: Span) -> Diagnostic {
+    Diagnostic::new(code::NUMBER_RANGE, span, "a number of more than 127 bits")
+        .why("no object of a drive is wider than 64 bits")
+        .help("correct the number")
+}
+
+/// A number that is not whole.
+fn fraction(span: Span, text: &str) -> Diagnostic {
+    Diagnostic::new(code::FLOAT, span, format!("`{text}` is a number with a fraction"))
+        .why("profiles are exact: values are raw counts, and the unit carries the factor")
+        .help("write the raw count; a range printed 0.1 to 6000.0 at 0.1 rpm is 1 to 60000")
+}
 
 /// What a value can be. There are no floating-point numbers: a profile is exact.
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -6,8 +6,9 @@ use std::ops::Range;
 
 use ::toml::Spanned;
 use ::toml::de::{DeArray, DeInteger, DeTable, DeValue};
+use toml_parser::lexer::TokenKind;
 
-use super::{RawField, RawRow, RawTable, RawValue};
+use super::{Comment, RawField, RawRow, RawTable, RawValue, fraction, too_many, too_wide};
 use crate::diag::{Code, Diagnostic, Sink, code};
 use crate::limits;
 use crate::source::{FileId, SourceMap, Sp, Span};
@@ -23,6 +24,24 @@ pub fn read(file: FileId, sources: &SourceMap, sink: &mut Sink) -> Vec<RawTable>
     }
     reader.broken.sort_by_key(|b| (b.end, b.start));
     reader.tables(root.get_ref())
+}
+
+/// The comments of a text that [`read`] finds no fault with, in order.
+pub(crate) fn comments(text: &str) -> Vec<Comment> {
+    let (mut depth, mut found) = (1_usize, Vec::new());
+    for token in toml_parser::Source::new(text).lex() {
+        let span = token.span().start()..token.span().end();
+        match token.kind() {
+            TokenKind::LeftSquareBracket | TokenKind::LeftCurlyBracket => depth += 1,
+            TokenKind::RightSquareBracket | TokenKind::RightCurlyBracket => depth = depth.saturating_sub(1),
+            TokenKind::Comment => {
+                let inner = text.get(span.clone()).and_then(|t| t.strip_prefix('#')).unwrap_or_default();
+                found.push(Comment { text: inner.to_owned(), span, depth });
+            }
+            _ => {}
+        }
+    }
+    found
 }
 
 /// What the parser says. It goes down a fixed number of levels and names no kind of error but in words.
@@ -97,19 +116,8 @@ impl Reader<'_> {
         rows
     }
 
-    /// More than a file, table or row may hold. What is in it is not looked at.
     fn too_many(&mut self, code: Code, span: Range<usize>, text: &str) {
-        let (most, help) = match code {
-            code::TOO_MANY_TABLES => (limits::TABLES, "put the rows of one kind into one table"),
-            code::TOO_MANY_KEYS => (limits::KEYS, "write each fact as a row of its own"),
-            _ => (limits::ROWS, "split the drive, or remove rows that repeat a fact"),
-        };
-        let finding = Diagnostic::new(code, self.span(span), text);
-        self.sink.push(
-            finding
-                .why(format!("it holds at most {most}, so that every finding is said in a moment"))
-                .help(help),
-        );
+        self.sink.push(too_many(code, self.span(span), text));
     }
 
     fn not_a_row(&mut self, name: &Sp<String>, span: Range<usize>, kind: &str) {
@@ -152,7 +160,7 @@ impl Reader<'_> {
             DeValue::Integer(number) => self.integer(number, value.span()),
             DeValue::Boolean(b) => RawValue::Bool(*b),
             DeValue::Float(number) => {
-                self.float(number.as_str(), value.span());
+                self.sink.push(fraction(self.span(value.span()), number.as_str()));
                 RawValue::Reported
             }
             DeValue::Datetime(_) => RawValue::Other("a date without quotes"),
@@ -168,21 +176,8 @@ impl Reader<'_> {
         if let Ok(n) = i128::from_str_radix(number.as_str(), number.radix()) {
             return RawValue::Int(n);
         }
-        self.sink.push(
-            Diagnostic::new(code::NUMBER_RANGE, self.span(span), "a number of more than 127 bits")
-                .why("no object of a drive is wider than 64 bits")
-                .help("correct the number"),
-        );
+        self.sink.push(too_wide(self.span(span)));
         RawValue::Reported
-    }
-
-    fn float(&mut self, text: &str, span: Range<usize>) {
-        let text = format!("`{text}` is a number with a fraction");
-        self.sink.push(
-            Diagnostic::new(code::FLOAT, self.span(span), text)
-                .why("profiles are exact: values are raw counts, and the unit carries the factor")
-                .help("write the raw count; a range printed 0.1 to 6000.0 at 0.1 rpm is 1 to 60000"),
-        );
     }
 
     /// Whether a syntax error lies in `span` or touches it.

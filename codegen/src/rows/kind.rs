@@ -4,6 +4,7 @@ use crate::diag::{Code, code};
 use crate::limits;
 use crate::model::Cite;
 use crate::raw::RawValue;
+use crate::raw::literal::{Shape, Takes};
 use crate::source::Sp;
 
 /// What a key takes, for messages and the schema.
@@ -21,6 +22,20 @@ pub enum Kind {
     Scalar,
     /// A list.
     List(&'static Kind),
+}
+
+impl Kind {
+    /// The same for readers of formats without types of their own.
+    pub fn shape(&self) -> Shape {
+        let takes = match self {
+            Self::Text(_) | Self::Words(_) => Takes::Text,
+            Self::Bool => Takes::Truth,
+            Self::Int(..) => Takes::Number,
+            Self::Scalar => Takes::Any,
+            Self::List(item) => return Shape { list: true, ..item.shape() },
+        };
+        Shape { takes, list: false }
+    }
 }
 
 /// A value that a key takes.

@@ -25,7 +25,14 @@ use std::collections::BTreeMap;
 use crate::diag::Sink;
 use crate::model::Cite;
 use crate::raw::RawRow;
+use crate::raw::literal::{Shape, Takes};
 use crate::source::{Sp, Span};
+
+/// What a key of a table takes, for readers of formats without types of their own.
+pub fn shape(table: &str, key: &str) -> Shape {
+    let field = Rows::TABLES.iter().filter(|t| t.name == table).flat_map(|t| t.fields).find(|f| f.key == key);
+    field.map_or(Shape { takes: Takes::Any, list: false }, |field| field.kind.shape())
+}
 
 /// A change that an erratum made to a row, or a value that it explains.
 #[derive(Clone, PartialEq, Eq, Debug)]

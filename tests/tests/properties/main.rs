@@ -10,6 +10,7 @@
     reason = "tests read files and fail by panicking"
 )]
 
+mod convert;
 mod eds;
 mod hostile;
 mod judge;

@@ -47,7 +47,7 @@ impl Xml {
     /// An element with attributes that holds a text.
     #[allow(clippy::needless_pass_by_value, reason = "callers hand over numbers and texts alike")]
     pub(super) fn text_with(&mut self, name: &str, attributes: Attributes<'_>, text: impl ToString) {
-        let text = escape::xml(&text.to_string());
+        let text = escape::xml(&escape::one_line(&text.to_string()));
         self.element(name, attributes, |xml| xml.event(Event::Text(BytesText::from_escaped(text))));
     }
 
@@ -77,7 +77,10 @@ impl Xml {
 fn start<'a>(name: &'a str, attributes: Attributes<'_>) -> BytesStart<'a> {
     let mut start = BytesStart::new(name);
     for (key, value) in attributes {
-        start.push_attribute(Attribute::from(Attr::DoubleQ(*key, escape::xml(value).as_str())));
+        start.push_attribute(Attribute::from(Attr::DoubleQ(
+            *key,
+            escape::xml(&escape::one_line(value)).as_str(),
+        )));
     }
     start
 }
