@@ -188,4 +188,12 @@ const PAGES: &[Page] = &[
         "unit = \"1/65536 rev\"", "Nothing: model.json and the generated crate carry the unit."),
     page("W1905", "A slave controller has addresses of 16 bits, and process data takes its length three times.",
         "", "State `start` and `size` in `sync_managers`, or correct `pdo_bytes` and `pdos_per_direction`."),
+    page("W2001", "A slave controller takes an SII as it is, so what would not work there is not written.",
+        "{ number = 2, use = \"outputs\", size = 0, enable = true, ... }", "Correct the row, or add the SyncManagers that are missing."),
+    page("W2002", "An SII lists PDOs with entries, four ports and ways to synchronize; it has no start-up values.",
+        "", "Nothing: the ESI carries the rest, and a master without the ESI must be told the start-up values."),
+    page("W2003", "The size of an EEPROM is a number of 128 bytes, and the image must fit it.",
+        "eeprom_bytes = 100", "State `eeprom_bytes` of the row `ethercat` as the drive has it."),
+    page("W2004", "An SII holds 255 texts of ASCII, each of at most 255 characters.",
+        "name = \"速度\"", "Nothing: model.json and the ESI carry the text as printed."),
 ];
