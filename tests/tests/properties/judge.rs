@@ -42,7 +42,7 @@ fn text(bytes: &[u8]) -> &str {
 }
 
 fn shape(path: &str, bytes: &[u8]) -> Result<String, String> {
-    if path.ends_with(".bin") {
+    if path.rsplit_once('.').is_some_and(|(_, extension)| extension == "bin") {
         return categories(bytes);
     }
     let text = text(bytes);

@@ -1,3 +1,5 @@
+//! Bytes and losses against printed images and the tables of ETG.2010.
+
 use super::*;
 use crate::source::Source;
 
