@@ -4,13 +4,13 @@ use crate::backend::losses::losses;
 use crate::diag::Code;
 
 /// An SII cannot state a value.
-pub const VALUE: Code = Code::warning("W2001", "an SII cannot state a value");
+pub const VALUE: Code = Code::warning("W2101", "an SII cannot state a value");
 /// An SII has no place for it.
-pub const PLACE: Code = Code::warning("W2002", "an SII has no place for something");
+pub const PLACE: Code = Code::warning("W2102", "an SII has no place for something");
 /// An SII is too long.
-pub const SIZE: Code = Code::warning("W2003", "an SII does not fit the EEPROM");
+pub const SIZE: Code = Code::warning("W2103", "an SII does not fit the EEPROM");
 /// A text is not written as printed.
-pub const TEXT: Code = Code::warning("W2004", "a text of an SII is not written as printed");
+pub const TEXT: Code = Code::warning("W2104", "a text of an SII is not written as printed");
 
 losses! {
     "SII"
