@@ -62,7 +62,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     fs::write(path, bytes)
 }
 
-/// What `cargo ARGUMENTS` costs for `of` itself: what it depends on is built before. The median of `runs`.
+/// What `cargo ARGUMENTS` costs for `of` itself: what it depends on is built before. The least of `runs`.
 pub fn cost(of: &Crate, arguments: &[&str], runs: usize, target: &Path) -> Result<Cost, Box<dyn Error>> {
     let used = target.join("used.txt");
     let mut costs = Vec::new();
@@ -81,8 +81,8 @@ pub fn cost(of: &Crate, arguments: &[&str], runs: usize, target: &Path) -> Resul
     }
     // The first run built the dependencies and warmed the disk.
     let costs = costs.split_off(1);
-    let memory = child::median(costs.iter().map(|c| c.memory as f64).collect()) as u64;
-    Ok(Cost { cpu: child::median(costs.iter().map(|c| c.cpu).collect()), memory })
+    let memory = child::least(costs.iter().map(|c| c.memory as f64).collect()) as u64;
+    Ok(Cost { cpu: child::least(costs.iter().map(|c| c.cpu).collect()), memory })
 }
 
 /// Bytes that a package of the crate would hold.

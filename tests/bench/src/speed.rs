@@ -48,7 +48,7 @@ pub fn print(entries: usize, runs: usize) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Measures `entries`; each figure is the median of `runs`.
+/// Measures `entries`; each figure is the least of `runs`.
 pub fn measure(program: &Path, entries: usize, runs: usize) -> Result<Speed, Box<dyn Error>> {
     let run = |runs: usize| {
         let (entries, runs) = (entries.to_string(), runs.to_string());
@@ -58,7 +58,7 @@ pub fn measure(program: &Path, entries: usize, runs: usize) -> Result<Speed, Box
     let text = run(runs)?.text;
     let figure = |of: &str| {
         let lines = text.lines().filter_map(|l| l.split_once(' ')).filter(|l| l.0 == of);
-        child::median(lines.filter_map(|l| l.1.parse().ok()).collect())
+        child::least(lines.filter_map(|l| l.1.parse().ok()).collect())
     };
     let stages = ["compile"].into_iter().chain(backend::ALL.iter().map(|b| b.id()));
     Ok(Speed {

@@ -125,10 +125,10 @@ impl<'m> Lowered<'m> {
 }
 
 /// The entries that refer to each table, in the order of the model.
-pub(super) fn users<'m, I: Id + Ord>(
-    model: &'m Model,
+pub(super) fn users<I: Id + Ord>(
+    model: &Model,
     table: impl Fn(&Entry) -> Option<&Fact<I>>,
-) -> BTreeMap<I, Vec<&'m Entry>> {
+) -> BTreeMap<I, Vec<&Entry>> {
     let mut users: BTreeMap<I, Vec<&Entry>> = BTreeMap::new();
     for entry in model.entries.as_slice() {
         if let Some(table) = table(entry) {
