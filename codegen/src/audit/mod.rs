@@ -193,7 +193,12 @@ impl Auditor<'_> {
     /// Whether the line has to do with the row: it belongs to it, or shows a value that is not the same everywhere.
     fn helps(&self, row: &Row<'_>, fact: &FactLine<'_>, line: u32, cited: &[u32]) -> bool {
         let Some(found) = self.page.line(line) else { return false };
-        let telling = !matches!(fact.field.as_ref(), "type" | "access" | "pdo" | "unit");
+        // A row of another object may share a cell with this one; its default, mostly 0, says nothing of this one.
+        let telling = match fact.field.as_ref() {
+            "type" | "access" | "pdo" | "unit" => false,
+            "default" => found.index().is_none(),
+            _ => true,
+        };
         self.words.anchors(row, found)
             || evidence::corrects(fact, found)
             || telling && self.words.shows(row, fact, found)

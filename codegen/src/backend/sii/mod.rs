@@ -1,7 +1,7 @@
 //! The slave information interface (ETG.1000.6, ETG.2010) of a drive that is on EtherCAT: the image of its EEPROM, and a
 //! listing of the same bytes that people can read.
 //!
-//! [`header`] has the 64 words that every slave has, [`categories`] what follows them, [`image`] the bytes with their
+//! [`header`] has the 64 words that every slave has, [`categories`] what follows them, `image` the bytes with their
 //! meaning, from which both files come. The image serves a virtual drive. It ends with the end marker; an EEPROM has ones
 //! behind it. A binary file cannot say that it is not the maker's and must not be written to hardware: the [`listing`] does.
 //!
