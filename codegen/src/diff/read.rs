@@ -158,7 +158,13 @@ fn read_list(
 ) -> Result<(), ReadError> {
     // A list that a reader does not find is empty: files of before it came have none.
     let Some(items) = from.get(list.key) else { return Ok(()) };
-    let items = items.as_array().ok_or_else(|| ReadError::Shape(format!("`{}` is no list", list.key)))?;
+    let one = std::slice::from_ref(items);
+    let items = match items {
+        Value::Array(items) => items.as_slice(),
+        Value::Object(_) if list.id.is_empty() => one,
+        Value::Null if list.id.is_empty() => &[],
+        _ => return Err(ReadError::Shape(format!("`{}` is no list", list.key))),
+    };
     for item in items {
         read_item(map(Some(item), list.key)?, list, table, parent, rows)?;
     }
@@ -212,13 +218,18 @@ fn fold_variable(at: usize, rows: &mut Vec<Row>) {
 }
 
 fn key_of(item: &Map<String, Value>, list: &List, parent: Option<&Row>) -> Result<String, ReadError> {
+    let whole = match list.id.first() {
+        Some((_, before)) => before.is_empty(),
+        // The only row of its table.
+        None => return Ok(list.word.to_owned()),
+    };
     // Addresses of entries are whole; other parts go on from what they are a part of.
     let start = match parent {
-        Some(parent) if list.id[0].1.is_empty() => parent.key.split(' ').next().unwrap_or_default(),
+        Some(parent) if whole => parent.key.split(' ').next().unwrap_or_default(),
         Some(parent) => &parent.key,
         None => list.word,
     };
-    let mut key = if list.id[0].1.is_empty() { format!("{start} ") } else { start.to_owned() };
+    let mut key = if whole { format!("{start} ") } else { start.to_owned() };
     for (n, (part, before)) in list.id.iter().enumerate() {
         match text_of(item.get(*part)) {
             Some(text) => key.extend([before, text.as_str()]),

@@ -30,7 +30,7 @@ const MAPPED: List =
 const CASES: List = List { key: "cases", id: &[("number", ".")], ..PLAIN };
 const MASKED: &[(&str, usize)] = &[("mask", 4), ("value", 4)];
 
-/// Every list of `model.json`, in the order of reports. `format`, `about` and `identity` say what others say, too.
+/// Every list of `model.json`, in the order of reports; what is one object there is a list of one. `format`, `about` and `identity` say what others say, too.
 pub(super) const LISTS: &[List] = &[
     List { key: "manuals", word: "manual", ..PLAIN },
     List {
@@ -65,8 +65,12 @@ pub(super) const LISTS: &[List] = &[
     List { key: "commands", word: "command", id: &[("name", "")], hex: MASKED, ..PLAIN },
     List { key: "aborts", word: "abort", id: &[("at", "")], derived: &["code"], ..PLAIN },
     List { key: "terminals", word: "terminal", id: &[("name", "")], ..PLAIN },
+    List { key: "ethercat", word: "ethercat", id: &[], ..PLAIN },
     List { key: "sync_managers", word: "sync manager", id: &[("number", "")], ..PLAIN },
     List { key: "fmmus", word: "fmmu", id: &[("number", "")], ..PLAIN },
+    List { key: "coe", word: "coe", id: &[("feature", "")], ..PLAIN },
+    List { key: "dc_modes", word: "dc mode", id: &[("number", "")], ..PLAIN },
+    List { key: "startup", word: "startup", id: &[("number", "")], ..PLAIN },
     List { key: "emcy", word: "emcy", id: &[("byte", "")], ..PLAIN },
     List { key: "rules", word: "rule", ..PLAIN },
     List { key: "examples", word: "example", id: &[("id", ""), ("step", ".")], ..PLAIN },

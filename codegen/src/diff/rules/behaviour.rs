@@ -63,6 +63,7 @@ pub(super) const TERMINALS: &[Rule] = &[
 
 #[rustfmt::skip]
 pub(super) const BUS: &[Rule] = &[
+    rule("bus_told", New, "The profile did not say it before; the drive may be the same.", added),
     rule("wording", Documentation, "Texts only.", |c| c.field_is(&["text"])),
     rule("bus_changed", Breaking, "A master's configuration, or its reading of emergency messages, is of the former drive.", |_| true),
 ];

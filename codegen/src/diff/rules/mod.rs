@@ -127,7 +127,7 @@ fn rules(table: &str) -> &'static [Rule] {
         "modes" => behaviour::MODES,
         "states" | "commands" => behaviour::STATES,
         "terminals" => behaviour::TERMINALS,
-        "sync_managers" | "fmmus" | "emcy" => behaviour::BUS,
+        "ethercat" | "sync_managers" | "fmmus" | "coe" | "dc_modes" | "startup" | "emcy" => behaviour::BUS,
         "rules" => behaviour::RULES,
         "manuals" | "aborts" | "examples" | "errata" => behaviour::TEXTS,
         _ => &[],
