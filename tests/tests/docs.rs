@@ -208,8 +208,8 @@ fn everything_is_told() {
         model.drive.note.iter().for_each(|n| told(n));
         // What ESI and SII assume, and that they are not for a real drive.
         let assumed = Device::of(&model).map(|device| device.assumed.sentences()).unwrap_or_default();
-        assumed.iter().for_each(|sentence| told(sentence));
-        assumed.first().into_iter().for_each(|_| told("never be written to the EEPROM of a real drive"));
+        let warning = (!assumed.is_empty()).then_some("never be written to the EEPROM of a real drive");
+        assumed.iter().map(String::as_str).chain(warning).for_each(told);
     }
 }
 
