@@ -30,11 +30,15 @@ def run(path, changes, judge, encoding="ascii", newline="\r\n"):
         return False
     text = path.read_bytes().decode(encoding)
     seen, missed = [], []
+    others = [kind for kind, *_ in changes]
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder, path.name)
         for kind, changed in broken(text, changes, newline):
             copy.write_bytes(changed.encode(encoding))
             (seen if judge(copy) else missed).append(kind)
+            others.remove(kind)
+    if others:
+        print(f"{path.name}: it has nothing to change for the controls {', '.join(others)}")
     for kind in missed:
         print(f"{path.name}: the judge accepts a copy with a changed {kind}")
     if len(seen) < LEAST:

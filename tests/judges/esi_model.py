@@ -7,6 +7,7 @@ import struct
 import sys
 import xml.etree.ElementTree as ElementTree
 from collections import Counter
+from fractions import Fraction
 from pathlib import Path
 
 import controls
@@ -29,6 +30,18 @@ FEATURES = {
     "sdo information": "SdoInfo", "pdo assignment": "PdoAssign", "pdo configuration": "PdoConfig",
     "pdo upload": "PdoUpload", "complete access": "CompleteAccess", "segmented sdo": "SegmentedSdo",
 }
+# Numerators and denominators of ETG.1004 that a drive needs: the quantity in words of model.json, and how many of its base
+# units one is.
+UNITS = {
+    (0x00, 0x00): ("ratio", 1), (0x01, 0x00): ("length", 1), (0x03, 0x00): ("time", 1), (0x47, 0x00): ("time", 60),
+    (0x48, 0x00): ("time", 3600), (0x04, 0x00): ("current", 1), (0x20, 0x00): ("frequency", 1), (0x24, 0x00): ("power", 1),
+    (0x26, 0x00): ("voltage", 1), (0x28, 0x00): ("resistance", 1), (0x2C, 0x00): ("inductance", 1),
+    (0x2D, 0x00): ("temperature", 1), (0x41, 0x00): ("angle", Fraction(1, 360)), (0xB4, 0x00): ("angle", 1),
+    (0xB4, 0x47): ("velocity", 1), (0xB4, 0x03): ("velocity", 60), (0xB5, 0x00): ("counts", 1), (0x56, 0x00): ("torque", 1),
+}
+POWERS = {Fraction(10) ** power for power in range(-18, 19)}
+# From here on a file names its units itself.
+OWN_UNITS = 0xF0
 
 CHANGES = [
     ("vendor", r"(<Vendor.*>\n *<Id>#x\w*)\w<", r"\g<1>F<"),
@@ -63,7 +76,12 @@ CHANGES = [
     ("class of a message", r"<DiagReset>1<", "<DiagReset>2<"),
     ("mode", r"(<OpMode>\n *<Name>)\w", r"\g<1>_"),
     ("words of the SII", r"<ConfigData>..", "<ConfigData>"),
-    ("whose file it is", r"is not the maker&apos;s file", "is the maker&apos;s file"),
+    ("whose file it is", r"(<Comment>.*is )not (the maker(?:'|&apos;)s file)", r"\g<1>\g<2>"),
+    ("power of ten of a unit", r"<Unit>#xFF", "<Unit>#xFE"),
+    ("numerator of a unit", r"(<Unit>#x..)B4", r"\g<1>B5"),
+    ("denominator of a unit", r"(<Unit>#x..B4)47", r"\g<1>03"),
+    ("unit that is missing", r" *<Unit>.*</Unit>\n", ""),
+    ("name of a unit", r"(<UnitType>\n.*\n *<Name>)\w", r"\g<1>_"),
 ]
 
 
@@ -99,6 +117,8 @@ class Judge:
         self.types = {t.findtext("Name"): t for t in dictionary.iterfind("DataTypes/DataType")}
         self.type_names = Counter(t.findtext("Name") for t in dictionary.iterfind("DataTypes/DataType"))
         self.objects = dictionary.findall("Objects/Object")
+        named = dictionary.iterfind("UnitTypes/UnitType")
+        self.units = {number(u.findtext("NotationIndex")): (u.findtext("Name"), u.findtext("Symbol")) for u in named}
         self.entries = {(o["index"], e["sub"]): e for o in model["objects"] for e in o["entries"]}
 
     def same(self, what, found, wanted):
@@ -217,11 +237,32 @@ class Judge:
             self.same(f"{at}: {key}", text(element), wanted)
         if word == "string":
             self.same(f"{at}: default", text("DefaultString"), value(entry, "default_text"))
+        self.unit(at, text("Unit"), value(entry, "unit"))
         table = value(entry, "values")
         rows = [v for e in self.model["enums"] if e["name"] == table for v in e["values"]]
         if table is not None:
             wanted = [(int(v["value"]), value(v, "name")) for v in rows if -(2**31) <= int(v["value"]) < 2**32]
             self.same(f"{at}: named values", [(int(n.findtext("Enum")), n.findtext("Text")) for n in names], wanted)
+
+    def unit(self, at, found, wanted):
+        """The code of a unit: sign and power of ten, numerator, denominator, and a byte that is 0."""
+        if wanted is None or found is None:
+            # A factor that is no power of ten has no code.
+            factor = None if wanted is None else Fraction(int(wanted["num"]), int(wanted["den"]))
+            sizes = [Fraction(size) for quantity, size in UNITS.values() if wanted and quantity == wanted["quantity"]]
+            coded = factor is not None and any(factor / size in POWERS for size in sizes or [1])
+            self.holds(f"{at}: unit {found}", found is None and not coded)
+            return
+        power, numerator, denominator, rest = number(found).to_bytes(4, "big")
+        self.same(f"{at}: last byte of the unit", rest, 0)
+        factor = Fraction(10) ** (power - 256 if power > 127 else power)
+        if numerator >= OWN_UNITS:
+            self.holds(f"{at}: name of the unit", wanted["base_unit"] in self.units.get(numerator, ()))
+        else:
+            quantity, size = UNITS.get((numerator, denominator), (None, 0))
+            self.same(f"{at}: quantity of the unit", quantity, wanted["quantity"])
+            factor *= size
+        self.same(f"{at}: size of the unit", factor, Fraction(int(wanted["num"]), int(wanted["den"])))
 
     def assigned(self, pdos, assignment):
         """Indexes of the PDOs of a direction that are active by default."""

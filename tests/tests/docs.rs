@@ -5,6 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use drivewright_codegen::backend::ethercat::Device;
 use drivewright_codegen::emit::FileSet;
 use drivewright_codegen::model::Model;
 use drivewright_codegen::{backend, compile_folder, emit};
@@ -205,6 +206,10 @@ fn everything_is_told() {
         model.errata.as_slice().iter().for_each(|e| told(&e.why));
         model.rules.iter().for_each(|r| told(&r.text.value));
         model.drive.note.iter().for_each(|n| told(n));
+        // What ESI and SII assume, and that they are not for a real drive.
+        let assumed = Device::of(&model).map(|device| device.assumed.sentences()).unwrap_or_default();
+        let warning = (!assumed.is_empty()).then_some("never be written to the EEPROM of a real drive");
+        assumed.iter().map(String::as_str).chain(warning).for_each(told);
     }
 }
 

@@ -33,4 +33,5 @@ codes! {
     RULE_BROKEN error "E2017" "a configuration breaks a rule of the manual";
     OVERWRITTEN warning "W2018" "a PDO overwrites a value";
     TABLE_BELOW error "E2019" "a table stands below the header of another one";
+    NOT_ACTIVE warning "W2020" "a PDO is mapped and not active";
 }

@@ -105,6 +105,7 @@ fn check(rows: &ConfigurationRows, file: FileId, model: &Model, sink: &mut Sink)
     if !sink.has_errors() {
         rules::check(model, &configuration, &settings, &pdos, sink);
         pdo::overwritten(&settings, &pdos, sink);
+        pdo::inactive(model, &configuration, &pdos, sink);
     }
     Some(configuration)
 }

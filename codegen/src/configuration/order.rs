@@ -13,30 +13,35 @@ use crate::model::{Address, Direction, Model, Rule};
 
 /// The direction whose PDOs an object assigns to a SyncManager.
 pub(super) fn assigned(at: Address) -> Option<Direction> {
-    match at.index {
-        0x1C12 => Some(Direction::Rx),
-        0x1C13 => Some(Direction::Tx),
-        _ => None,
+    [Direction::Rx, Direction::Tx].into_iter().find(|direction| assignment(*direction) == at.index)
+}
+
+/// The object that assigns PDOs of a direction to a SyncManager.
+pub(super) fn assignment(direction: Direction) -> u16 {
+    match direction {
+        Direction::Rx => 0x1C12,
+        Direction::Tx => 0x1C13,
     }
 }
 
 /// Every write.
 pub(super) fn writes(model: &Model, settings: &Settings, pdos: &[Pdo]) -> Vec<Write> {
     let mut writes = Vec::new();
-    for (direction, assignment) in [(Direction::Rx, 0x1C12), (Direction::Tx, 0x1C13)] {
+    for direction in [Direction::Rx, Direction::Tx] {
         let own: Vec<&Pdo> = pdos.iter().filter(|pdo| pdo.direction == direction).collect();
         let assign: Vec<&Setting> =
             settings.list.iter().filter(|s| assigned(s.address) == Some(direction)).collect();
         if own.is_empty() && assign.is_empty() {
             continue;
         }
-        let count = count(model, Address::new(assignment, 0), &assign);
+        let count = count(model, Address::new(assignment(direction), 0), &assign);
         writes.extend(count.map(|count| Write { value: 0, ..count }));
         for pdo in own {
             add_pdo(pdo, &mut writes);
         }
         writes.extend(assign.iter().filter(|s| s.address.sub > 0).map(|s| write(s)));
-        writes.extend(count);
+        // Where none is assigned in the end, that is written already.
+        writes.extend(count.filter(|count| count.value != 0));
     }
     let plain = settings.list.iter().filter(|s| assigned(s.address).is_none());
     writes.extend(obeying(model, plain.collect()).into_iter().map(write));

@@ -5,8 +5,8 @@ mod mapping;
 
 use std::collections::BTreeMap;
 
-use super::code;
 use super::setting::{Setting, Settings};
+use super::{Configuration, code, order};
 use crate::diag::{Diagnostic, Sink};
 use crate::model::{Address, Direction, Model, Pdo as DefaultPdo};
 use crate::rows::tables::{CommunicationRow, MappedRow};
@@ -112,8 +112,10 @@ fn no_pdo(map: Sp<u16>, model: &Model, sink: &mut Sink) {
         .filter(|index| DefaultPdo::direction_of(*index).is_some())
         .map(|index| format!("0x{index:04X}"))
         .collect();
+    let meant = format!("0x{}", map.value);
     let help = match known.as_slice() {
         [] => "remove the row: the drive has no PDO that can be changed".to_owned(),
+        known if known.contains(&meant) => format!("write `{meant}`; without `0x` the number is decimal"),
         known => format!("mapping objects of the drive: {}", known.join(", ")),
     };
     sink.push(
@@ -125,6 +127,31 @@ fn no_pdo(map: Sp<u16>, model: &Model, sink: &mut Sink) {
         .why("an RxPDO is mapped in 1600h to 17FFh, a TxPDO in 1A00h to 1BFFh, as far as the drive has them")
         .help(help),
     );
+}
+
+/// Warns of PDOs that are mapped and not active: on EtherCAT, 1C12h and 1C13h assign them.
+pub(super) fn inactive(model: &Model, configuration: &Configuration, pdos: &[Pdo], sink: &mut Sink) {
+    let values = configuration.values();
+    let value = |at| values.get(&at).copied().or_else(|| model.default_int(at));
+    for pdo in pdos {
+        let Some(mapping) = &pdo.mapping else { continue };
+        let assignment = order::assignment(pdo.direction);
+        let Some(count) = value(Address::new(assignment, 0)).and_then(|n| u8::try_from(n).ok()) else {
+            continue;
+        };
+        if (1..=count).any(|sub| value(Address::new(assignment, sub)) == Some(pdo.index.into())) {
+            continue;
+        }
+        let text = format!("{:04X}h is mapped here, and is not active", pdo.index);
+        sink.push(
+            Diagnostic::new(code::NOT_ACTIVE, mapping.count.span, text)
+                .why(format!("{assignment:04X}h assigns other PDOs, so the master does not exchange this one"))
+                .help(format!(
+                    "add `{{ at = \"{assignment:04X}:01\", value = 0x{:04X} }}` to `values`, or map the PDO that is active",
+                    pdo.index
+                )),
+        );
+    }
 }
 
 /// Warns of values that a PDO of the configuration overwrites.

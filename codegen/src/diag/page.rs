@@ -251,4 +251,6 @@ const PAGES: &[Page] = &[
         "{ at = \"6081:00\", value = 5 }   and   { map = 0x1600, entry = \"6081:00\" }", "Let the PDO carry the value, or take the object out of the mapping."),
     page("E2019", "In TOML all that follows a header belongs to it, up to the next one.",
         "[axis]\nformat = 1\nvalues = [ ... ]", "Move the table above the header, or write its rows as `[[values]]`."),
+    page("W2020", "On EtherCAT, 1C12h and 1C13h say which PDOs a master exchanges; mapping another one changes nothing that moves.",
+        "pdo = [ { map = 0x1601, ... } ]   (and 1C12:01 is 1600h)", "Assign the PDO in `values`, or map the one that is active."),
 ];

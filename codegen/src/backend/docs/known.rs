@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::book::Book;
 use super::table::Table;
-use crate::backend::eds;
+use crate::backend::{eds, esi};
 use crate::facts::{FactLine, Totals};
 use crate::model::{Address, Class};
 
@@ -16,6 +16,8 @@ pub(super) struct Known {
     by_errata: usize,
     assumed: String,
     in_eds: Vec<String>,
+    /// Empty for a drive that is not on EtherCAT.
+    in_esi: Vec<String>,
     standard: String,
 }
 
@@ -43,6 +45,7 @@ pub(super) fn page<'m>(book: &Book<'m>, lines: &[FactLine<'m>]) -> Known {
         by_errata: lines.iter().filter(|l| of_erratum(l)).count(),
         assumed: Table::of(&["Values", "Reason", "Where"], assumed).text(book.plain),
         in_eds: eds::assumptions(book.model).iter().map(|text| book.text(text)).collect(),
+        in_esi: esi::assumptions(book.model).iter().map(|text| book.text(text)).collect(),
         standard: Table::of(&["Values", "Base", "Where"], standard).text(book.plain),
     }
 }
@@ -57,7 +60,12 @@ fn totals(book: &Book<'_>, totals: &Totals) -> String {
             totals.inferred,
         ),
         ("standard", "ˢ", "the base of CiA or ETG says it, and the manual is silent", totals.standard),
-        ("assumed", "ᵃ", "a format demands it and nobody says it", totals.assumed),
+        (
+            "assumed",
+            "ᵃ",
+            "a format demands it and nobody says it; what only device files need is below",
+            totals.assumed,
+        ),
     ];
     let rows = rows.map(|(word, mark, means, n)| [word, mark, means, &n.to_string()].map(str::to_owned));
     Table::of(&["Word", "Mark", "Means", "Values"], rows).text(book.plain)

@@ -38,7 +38,7 @@ const CODES: &[(Quantity, u8, u8, u64, u64)] = &[
     (Quantity::TorqueRatio, 0xF3, 0, 1, 1),
     (Quantity::CurrentRatio, 0xF4, 0, 1, 1),
     (Quantity::Acceleration, 0xF5, 0, 1, 1),
-    (Quantity::Torque, 0xF6, 0, 1, 1),
+    (Quantity::Torque, 0x56, 0, 1, 1),
     (Quantity::Inertia, 0xF7, 0, 1, 1),
 ];
 
@@ -49,7 +49,6 @@ const OWN: &[Own] = &[
     Own { notation: 0xF3, name: "rated torque", symbol: "rated torque" },
     Own { notation: 0xF4, name: "rated current", symbol: "rated current" },
     Own { notation: 0xF5, name: "revolutions per minute and second", symbol: "rpm/s" },
-    Own { notation: 0xF6, name: "newton metre", symbol: "N m" },
     Own { notation: 0xF7, name: "kilogram square metre", symbol: "kg m2" },
 ];
 
@@ -91,6 +90,8 @@ mod tests {
         assert_eq!(of("0.1 kHz"), Some(0x0220_0000));
         assert_eq!(of("deg"), Some(0x0041_0000));
         assert_eq!(of("%"), Some(0xFE00_0000));
+        assert_eq!(of("N m"), Some(0x0056_0000));
+        assert_eq!(of("0.1 A"), Some(0xFF04_0000));
     }
 
     #[test]

@@ -28,6 +28,7 @@ pub(super) fn check(
     sink: &mut Sink,
 ) {
     let at = |sub| Address::new(pdo.index - 0x200, sub);
+    let row = row.filter(|row| has_communication(row, model, sink));
     pdo.cob_id = cob_id(pdo.direction, at(1), map, row, node_id, model, sink);
     let Some(row) = row else { return };
     row.transmission.iter().for_each(|ty| transmission(*ty, pdo.direction, sink));
@@ -40,6 +41,19 @@ pub(super) fn check(
         let entry = object(Sp::new(at(sub), value.span), model, sink);
         pdo.settings.extend(entry.and_then(|entry| taken(entry, value, sink)));
     }
+}
+
+/// Whether PDOs of the drive have an identifier and timers: they do on a CAN bus.
+fn has_communication(row: &CommunicationRow, model: &Model, sink: &mut Sink) -> bool {
+    if !model.on_can() {
+        let text = format!("the drive has no communication parameters of {:04X}h", row.map.value);
+        sink.push(
+            Diagnostic::new(code::NO_OBJECT, row.meta.span(), text)
+                .why("the drive is on EtherCAT, where a master exchanges all active PDOs in every cycle")
+                .help("remove the row; values of 1C12h and 1C13h say which PDOs are active"),
+        );
+    }
+    model.on_can()
 }
 
 fn transmission(ty: Sp<u8>, direction: Direction, sink: &mut Sink) {
