@@ -21,7 +21,7 @@ const FILES: &[(&str, &[&str], &str)] = &[
     ("modes.toml", &["modes"], "Modes of operation, with the objects that the section of each lists."),
     ("states.toml", &["states", "commands"], "The state machine: the statusword under `mask` is `value`; so is the controlword of a command."),
     ("homing.toml", &["homing"], "Homing methods, one case a row, in the language of profiles/README.md."),
-    ("bus.toml", &["aborts", "emcy", "sync_managers", "fmmus"], "Abort codes, the emergency message, the EtherCAT side."),
+    ("bus.toml", &["aborts", "emcy", "sync_managers", "fmmus", "ethercat", "coe", "dc_modes", "startup"], "Abort codes, the emergency message, the EtherCAT side."),
     ("io.toml", &["io"], "Terminals."),
     ("rules.toml", &["rules", "examples"], "What must hold between values, and worked examples of the manual."),
     ("errata.toml", &["errata"], "Where the manual is wrong or contradicts itself: the row says what is printed, the erratum why it is not so."),
