@@ -59,7 +59,7 @@ fn changed(kind: usize, at: usize, all: &[FactLine<'_>], random: &mut Random) ->
 fn digit(value: &str, random: &mut Random) -> Option<String> {
     let start = if value.starts_with("0x") { 2 } else { 0 };
     let places: Vec<usize> =
-        value.char_inrandoms().filter(|(n, c)| *n >= start && c.is_ascii_digit()).map(|(n, _)| n).collect();
+        value.char_indices().filter(|(n, c)| *n >= start && c.is_ascii_digit()).map(|(n, _)| n).collect();
     let place = *places.get(random.below(places.len().max(1)))?;
     let old = value.as_bytes()[place] - b'0';
     let new = (usize::from(old) + 1 + random.below(9)) % 10;

@@ -57,11 +57,11 @@ pub fn parse_profile(bytes: &[u8]) -> Reached {
     // All say the same; showing thousands would be all that a run does.
     let some = &diagnostics[..diagnostics.len().min(4)];
     let shown = render::text(some, sources, render::Style::default());
-    let lines = json::lines(some, sources) + &github::commands(some, sources, "");
+    let lines = json::lines(some, sources, "") + &github::commands(some, sources, "");
     for text in shown.lines().chain(lines.lines()) {
         assert!(!text.contains(['\0', '\u{1B}', '\u{202E}']), "a finding shows a hidden character: {text:?}");
     }
-    for line in json::lines(some, sources).lines() {
+    for line in json::lines(some, sources, "").lines() {
         judge("finding.json", line.as_bytes()).unwrap_or_else(|why| panic!("{why}: {line}"));
     }
     reached(&compiled)
