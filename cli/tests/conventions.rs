@@ -102,7 +102,8 @@ fn lists_for_programs_are_json() {
 fn an_answer_for_programs_is_one_object() {
     let at = checkout("answers", &["acme/x1"]);
     let row = r#"{ at = "2000:00", name = "Speed", type = "u16", access = "rw", pdo = "no", src = "1 L1" }"#;
-    fs::write(at.join("profiles/acme/x1/objects.toml"), format!("objects = [\n  {row},\n]\n")).expect("a file");
+    fs::write(at.join("profiles/acme/x1/objects.toml"), format!("objects = [\n  {row},\n]\n"))
+        .expect("a file");
     let object = |arguments: &[&str]| -> serde_json::Value {
         let asked = run(&at, arguments);
         assert_eq!(asked.status.code(), Some(0), "{arguments:?}: {}", text(&asked.stderr));

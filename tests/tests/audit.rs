@@ -41,7 +41,12 @@ fn profiles() -> impl Iterator<Item = (String, Compiled)> {
 }
 
 /// How a fact is changed; `None` where it cannot be in this way.
-fn changed(kind: usize, at: usize, all: &[FactLine<'_>], random: &mut Random) -> Option<(String, Option<Cite>)> {
+fn changed(
+    kind: usize,
+    at: usize,
+    all: &[FactLine<'_>],
+    random: &mut Random,
+) -> Option<(String, Option<Cite>)> {
     let fact = &all[at];
     let value = match kind {
         0 => digit(&fact.value, random)?,

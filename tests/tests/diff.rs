@@ -10,8 +10,8 @@ use drivewright_codegen::diff::{
 use drivewright_codegen::model::Model;
 use drivewright_codegen::{backend, compile, load};
 use drivewright_tests::cases::golden_cases;
-use drivewright_tests::random::Random;
 use drivewright_tests::drives;
+use drivewright_tests::random::Random;
 use serde_json::Value;
 
 fn listing(model: &Model) -> Listing {

@@ -123,6 +123,9 @@ impl Listing {
             |key| text_of(drive.get(key)).ok_or_else(|| ReadError::Shape(format!("drive has no `{key}`")));
         let (package, version) = (word("package")?, word("crate_version")?);
         let mut rows = vec![row("drive", "drive".to_owned(), drive, &[], &[])];
+        if let Some(ethercat) = document.get("ethercat").and_then(Value::as_object) {
+            rows.push(row("ethercat", "ethercat".to_owned(), ethercat, &[], &[]));
+        }
         for list in LISTS {
             read_list(document, list, list.key, None, &mut rows)?;
         }

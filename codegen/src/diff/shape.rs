@@ -67,6 +67,9 @@ pub(super) const LISTS: &[List] = &[
     List { key: "terminals", word: "terminal", id: &[("name", "")], ..PLAIN },
     List { key: "sync_managers", word: "sync manager", id: &[("number", "")], ..PLAIN },
     List { key: "fmmus", word: "fmmu", id: &[("number", "")], ..PLAIN },
+    List { key: "coe", word: "coe", id: &[("feature", "")], ..PLAIN },
+    List { key: "dc_modes", word: "dc mode", id: &[("number", "")], ..PLAIN },
+    List { key: "startup", word: "startup", id: &[("number", "")], ..PLAIN },
     List { key: "emcy", word: "emcy", id: &[("byte", "")], ..PLAIN },
     List { key: "rules", word: "rule", ..PLAIN },
     List { key: "examples", word: "example", id: &[("id", ""), ("step", ".")], ..PLAIN },
@@ -74,7 +77,7 @@ pub(super) const LISTS: &[List] = &[
 ];
 
 /// Keys of the document that are no lists of rows and no facts of their own.
-pub(super) const ASIDE: &[&str] = &["format", "about", "identity", "drive"];
+pub(super) const ASIDE: &[&str] = &["format", "about", "identity", "drive", "ethercat"];
 
 /// Fields in the order of reports; others follow by name.
 pub(super) const ORDER: &[&str] = &[
@@ -82,8 +85,8 @@ pub(super) const ORDER: &[&str] = &[
     "bits", "effect", "number", "code", "aux", "reset", "status", "when", "moves",
 ];
 
-/// Where a table stands in reports: the drive first, what this program does not know last.
+/// Where a table stands in reports: the drive and its slave controller first, what this program does not know last.
 pub(super) fn place(table: &str) -> usize {
     let lists = LISTS.iter().position(|list| list.key == table).map(|n| n + 1);
-    lists.unwrap_or(if table == "drive" { 0 } else { usize::MAX })
+    lists.unwrap_or(if ["drive", "ethercat"].contains(&table) { 0 } else { usize::MAX })
 }
