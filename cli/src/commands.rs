@@ -30,7 +30,7 @@ pub(crate) fn run(arguments: &Arguments) -> End {
             let to = Target { folder: out, prune: *prune, mode };
             folder(drive).map_or_else(|end| end, |folder| build(&folder, &to, only, asked(*format), quiet))
         }
-        Command::Explain { of, what } => explain::run(of, what),
+        Command::Explain { of, what } => explain::run(of, what, json),
         Command::Audit(wanted) => audit::run(wanted, shape),
         Command::Convert(wanted) => convert::run(wanted, asked(Format::Human), quiet),
         Command::Coverage { drives } => coverage::run(drives, json),
@@ -38,9 +38,17 @@ pub(crate) fn run(arguments: &Arguments) -> End {
         Command::Diff(wanted) => diff::run(wanted, shape),
         Command::Lints => print(&if json { codes_json() } else { codes() }),
         Command::Dcf(wanted) => dcf::run(wanted, asked(wanted.format), quiet),
+        Command::Schema { format: SchemaFormat::Xsd, .. } if json => {
+            tell!("error: an XSD is no JSON: leave out --json, or --format xsd");
+            End::Usage
+        }
         Command::Schema { configuration: true, .. } => print(&schema::configuration_schema()),
         Command::Schema { format: SchemaFormat::Xsd, .. } => print(&schema::xsd::profile_xsd()),
         Command::Schema { .. } => print(&schema::profile_schema()),
+        Command::Completions { .. } if json => {
+            tell!("error: a completion script is no JSON: leave out --json");
+            End::Usage
+        }
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(*shell, &mut Arguments::command(), "drivewright", &mut script);

@@ -50,6 +50,8 @@ impl From<Format> for source::Format {
 
 /// Runs the command.
 pub(crate) fn run(asked: &ConvertArguments, findings: Findings, quiet: bool) -> End {
+    // For programs, standard output is for findings.
+    let quiet = quiet || findings != Findings::Human;
     let out = asked.out.as_deref().filter(|out| *out != Path::new("-"));
     let done = if Path::new(&asked.from).is_file() {
         one(asked, out, findings, quiet)

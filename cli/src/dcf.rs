@@ -16,8 +16,13 @@ use crate::output::{counted, disk, print, tell};
 
 /// Runs the command.
 pub(crate) fn run(asked: &DcfArguments, format: Format, quiet: bool) -> End {
-    if format != Format::Human && asked.out.is_none() && asked.concise.is_none() {
+    let unnamed = asked.out.is_none() && asked.concise.is_none();
+    if unnamed && format != Format::Human {
         tell!("error: findings go to standard output, so the DCF cannot: name --out or --concise");
+        return End::Usage;
+    }
+    if unnamed && asked.check {
+        tell!("error: --check compares files: name --out or --concise");
         return End::Usage;
     }
     let mut found = match drives::find(&asked.drive) {

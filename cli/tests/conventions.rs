@@ -64,7 +64,7 @@ fn every_command_has_help_with_an_example_and_the_common_flags() {
 #[test]
 fn all_drives_are_meant_where_none_is_named() {
     let at = checkout("all", &["acme/x1", "beta/x1"]);
-    for command in ["check", "coverage"] {
+    for command in ["check", "coverage", "todo"] {
         let ran = run(&at, &[command]);
         assert_eq!(ran.status.code(), Some(0), "{command}: {}", text(&ran.stderr));
     }
@@ -96,6 +96,45 @@ fn lists_for_programs_are_json() {
         assert!(code["code"].is_string() && code["severity"].is_string() && code["title"].is_string());
     }
     assert!(codes.lines().count() > 50);
+}
+
+#[test]
+fn an_answer_for_programs_is_one_object() {
+    let at = checkout("answers", &["acme/x1"]);
+    let row = r#"{ at = "2000:00", name = "Speed", type = "u16", access = "rw", pdo = "no", src = "1 L1" }"#;
+    fs::write(at.join("profiles/acme/x1/objects.toml"), format!("objects = [\n  {row},\n]\n"))
+        .expect("a file");
+    let object = |arguments: &[&str]| -> serde_json::Value {
+        let asked = run(&at, arguments);
+        assert_eq!(asked.status.code(), Some(0), "{arguments:?}: {}", text(&asked.stderr));
+        serde_json::from_slice(&asked.stdout).expect("JSON")
+    };
+    for (code, severity) in [("E0602", "error"), ("e0001", "error"), ("W1001", "warning")] {
+        let told = object(&["explain", code, "--json"]);
+        assert_eq!(told["code"], code.to_uppercase());
+        assert_eq!(told["severity"], severity);
+        assert!(told["title"].is_string());
+        assert_eq!(told["page"], text(&run(&at, &["explain", code]).stdout));
+    }
+    let told = object(&["explain", "x1", "2000h", "--json"]);
+    assert_eq!((&told["drive"], &told["asked"]), (&"acme-x1".into(), &"2000h".into()));
+    assert_eq!(told["page"], text(&run(&at, &["explain", "x1", "2000h"]).stdout));
+    assert!(object(&["todo", "--json"])["acme-x1"].is_array());
+    assert!(object(&["schema", "--json"]).is_object());
+}
+
+#[test]
+fn what_cannot_be_json_is_refused() {
+    let at = checkout("no-json", &["acme/x1"]);
+    for arguments in [&["completions", "bash", "--json"][..], &["schema", "--format", "xsd", "--json"]] {
+        let asked = run(&at, arguments);
+        assert_eq!((asked.status.code(), text(&asked.stdout).as_str()), (Some(2), ""), "{arguments:?}");
+        assert!(text(&asked.stderr).contains("leave out --json"));
+    }
+    let converted =
+        run(&at, &["convert", "profiles/acme/x1/drive.toml", "--to", "xml", "--out", "drive.xml", "--json"]);
+    assert_eq!((converted.status.code(), text(&converted.stdout).as_str()), (Some(0), ""));
+    assert!(at.join("drive.xml").exists());
 }
 
 /// Nobody can hear it, and the exit code still says how it ended.

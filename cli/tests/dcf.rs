@@ -37,6 +37,7 @@ fn a_configuration_is_written_checked_and_printed() {
     let (code, out, _) = run(&at, &check);
     assert_eq!((code, out.as_str()), (Some(1), "missing: out/lift.dcf\nmissing: axis.bin\n"));
     assert!(!at.join("out").exists(), "a check writes nothing");
+    assert_eq!(run(&at, &["--config", "axis.toml", "--check"]).0, Some(2), "there is no file to compare");
     let (code, out, err) = run(&at, &files);
     assert_eq!(
         (code, out.as_str(), err.as_str()),

@@ -138,6 +138,7 @@ fn explain_knows_what_the_drive_shows() {
     says(&told("e007"), &["Printed: 60000 (in 1 L8)", "Used: 30000", "How sure: medium"]);
     says(&told("R1"), &["Rule R1: Not 0.", "- Must hold: 6081:00 > 0"]);
     assert!(told("mode 8").contains("6081:00") && told("06020000h").contains("No such object"));
+    assert!(told("3000:02").ends_with("ᵃ assumed.\n") && !told("R1").contains("assumed"), "marks are told");
     for what in ["", "zz", "FFFFh", "homing 9", "3000:0A", "::", "homing x", "99999999999999999999"] {
         assert_eq!(explain(&model, what), None, "{what}");
     }

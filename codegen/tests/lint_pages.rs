@@ -45,6 +45,18 @@ fn codes(compiled: &Compiled) -> Vec<&'static str> {
     compiled.diagnostics.iter().map(|d| d.code.id()).collect()
 }
 
+/// The first row of a new profile is often written before its manual.
+#[test]
+fn a_citation_without_a_manual_asks_for_the_manual() {
+    let row = r#"{ at = "2000:00", name = "Speed", type = "u16", access = "rw", pdo = "no", src = "1 L1" }"#;
+    let help = |manuals: &str| {
+        let text = format!("{manuals}objects = [ {} ]\n[drive]\n{DRIVE}", row.replace("L1", "L11"));
+        let found = compile(vec![Source { path: "drive.toml".into(), text }]).diagnostics;
+        found.iter().find(|d| d.code.id() == "E0902").map(|d| d.help.clone()).expect("a finding")
+    };
+    assert!(help("").contains("no row in `manuals`") && !help(MANUALS).contains("no row"));
+}
+
 #[test]
 fn failing_examples_fail_with_their_lint_alone() {
     for lint in LINTS {

@@ -7,7 +7,6 @@
 )]
 
 pub mod cases;
-pub mod dice;
 pub mod drives;
 pub mod esi;
 pub mod formats;

@@ -10,7 +10,7 @@ use drivewright_codegen::audit::{Contradiction, Finding, Kind, audit, contradict
 use drivewright_codegen::facts::{FactLine, Table, facts};
 use drivewright_codegen::model::{Address, Cite, Class, Model};
 use drivewright_codegen::{Compiled, compile, load};
-use drivewright_tests::dice::Dice;
+use drivewright_tests::random::Random;
 use drivewright_tests::{drives, skipped};
 
 const CHANGES: usize = 2000;
@@ -41,28 +41,33 @@ fn profiles() -> impl Iterator<Item = (String, Compiled)> {
 }
 
 /// How a fact is changed; `None` where it cannot be in this way.
-fn changed(kind: usize, at: usize, all: &[FactLine<'_>], dice: &mut Dice) -> Option<(String, Option<Cite>)> {
+fn changed(
+    kind: usize,
+    at: usize,
+    all: &[FactLine<'_>],
+    random: &mut Random,
+) -> Option<(String, Option<Cite>)> {
     let fact = &all[at];
     let value = match kind {
-        0 => digit(&fact.value, dice)?,
+        0 => digit(&fact.value, random)?,
         1 => sign(&fact.value)?,
         2 => all[at + 1..].iter().find(|f| f.table == fact.table && f.field == fact.field)?.value.clone(),
         3 => {
             let row: Vec<_> = all.iter().filter(|f| f.key == fact.key && f.class.is_some()).collect();
-            row[dice.below(row.len())].value.clone()
+            row[random.below(row.len())].value.clone()
         }
-        _ => return Some((fact.value.clone(), Some(elsewhere(fact.cite?, dice)))),
+        _ => return Some((fact.value.clone(), Some(elsewhere(fact.cite?, random)))),
     };
     (value != fact.value).then_some((value, None))
 }
 
-fn digit(value: &str, dice: &mut Dice) -> Option<String> {
+fn digit(value: &str, random: &mut Random) -> Option<String> {
     let start = if value.starts_with("0x") { 2 } else { 0 };
     let places: Vec<usize> =
         value.char_indices().filter(|(n, c)| *n >= start && c.is_ascii_digit()).map(|(n, _)| n).collect();
-    let place = *places.get(dice.below(places.len().max(1)))?;
+    let place = *places.get(random.below(places.len().max(1)))?;
     let old = value.as_bytes()[place] - b'0';
-    let new = (usize::from(old) + 1 + dice.below(9)) % 10;
+    let new = (usize::from(old) + 1 + random.below(9)) % 10;
     Some(format!("{}{new}{}", &value[..place], &value[place + 1..]))
 }
 
@@ -72,14 +77,14 @@ fn sign(value: &str) -> Option<String> {
 }
 
 /// The citation with one of its lines moved by up to five.
-fn elsewhere(cite: &Cite, dice: &mut Dice) -> Cite {
+fn elsewhere(cite: &Cite, random: &mut Random) -> Cite {
     let mut cite = cite.clone();
-    let place = dice.below(cite.places.len());
+    let place = random.below(cite.places.len());
     let lines = &mut cite.places[place].lines;
-    let line = dice.below(lines.len());
-    let step = u32::try_from(1 + dice.below(5)).expect("small");
+    let line = random.below(lines.len());
+    let step = u32::try_from(1 + random.below(5)).expect("small");
     lines[line] =
-        if dice.below(2) == 0 { lines[line] + step } else { lines[line].saturating_sub(step).max(1) };
+        if random.below(2) == 0 { lines[line] + step } else { lines[line].saturating_sub(step).max(1) };
     cite
 }
 
@@ -147,11 +152,11 @@ fn a_changed_fact_is_seen() {
         let Some(text) = manual(&drive) else { continue };
         let all = facts(compiled.model.as_ref().expect("a model"));
         let places: Vec<usize> = (0..all.len()).filter(|n| provable(&all[*n])).collect();
-        let mut dice = Dice(2026);
+        let mut random = Random::new(2026);
         let (mut made, mut survivors) = (0, Vec::new());
         while made < CHANGES {
-            let at = places[dice.below(places.len())];
-            let Some((value, cite)) = changed(dice.below(5), at, &all, &mut dice) else { continue };
+            let at = places[random.below(places.len())];
+            let Some((value, cite)) = changed(random.below(5), at, &all, &mut random) else { continue };
             made += 1;
             if !found(&compiled, &all, at, &value, cite.as_ref(), &text) {
                 let moved = cite.map_or_else(String::new, |c| format!(" at {c}"));

@@ -10,8 +10,8 @@ use drivewright_codegen::diff::{
 use drivewright_codegen::model::Model;
 use drivewright_codegen::{backend, compile, load};
 use drivewright_tests::cases::golden_cases;
-use drivewright_tests::dice::Dice;
 use drivewright_tests::drives;
+use drivewright_tests::random::Random;
 use serde_json::Value;
 
 fn listing(model: &Model) -> Listing {
@@ -113,9 +113,9 @@ fn every_single_change_is_reported_and_every_field_has_a_rule() {
         let (document, one) = (backend::json::value(&model), listing(&model));
         let mut places = Vec::new();
         leaves(&document, "", &mut places);
-        let mut dice = Dice(2026);
+        let mut random = Random::new(2026);
         for _ in 0..40.min(places.len()) {
-            let pointer = &places[dice.below(places.len())];
+            let pointer = &places[random.below(places.len())];
             made += 1;
             let Some(report) = mutated(&document, pointer, &one) else {
                 refused += 1;

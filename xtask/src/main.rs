@@ -46,6 +46,7 @@ Exit codes: 0 fine, 1 findings, 2 usage, 3 the disk refused.
 Examples:
   cargo xtask regen
   cargo xtask regen --check sdv3-e
+  cargo xtask new acme/x1
   cargo xtask test --full
   cargo xtask bench --quick
   cargo xtask fuzz parse_profile -max_total_time=60

@@ -43,9 +43,13 @@ fn libfuzzer(root: &Path, name: &OsString, rest: &[OsString]) -> End {
     }
     let target = root.join("target").join("libfuzzer");
     let corpus = target.join(format!("corpus-{}", name.to_string_lossy()));
-    if let Err(error) = std::fs::create_dir_all(&corpus) {
-        eprintln!("error: {}: {error}", corpus.display());
-        return End::Disk;
+    // What it finds is no file of the checkout.
+    let found = target.join("found");
+    for folder in [&corpus, &found] {
+        if let Err(error) = std::fs::create_dir_all(folder) {
+            eprintln!("error: {}: {error}", folder.display());
+            return End::Disk;
+        }
     }
     // Nearly-profiles to begin with: chance would be long at finding one.
     if !program(root, "fuzz").args(["--", "--corpus"]).arg(&corpus).status().is_ok_and(|s| s.success()) {
@@ -56,7 +60,9 @@ fn libfuzzer(root: &Path, name: &OsString, rest: &[OsString]) -> End {
     cargo.arg(root.join("tests").join("fuzz").join("libfuzzer").join("Cargo.toml"));
     // With a target named, build scripts and macros stay as they are.
     cargo.args(["--target", &host(), "--target-dir"]).arg(&target).env("RUSTFLAGS", INSTRUMENTS);
-    cargo.env("DRIVEWRIGHT_TARGET", name).arg("--").arg(corpus).args(rest);
+    cargo.env("DRIVEWRIGHT_TARGET", name).arg("--").arg(corpus);
+    // The last of two options counts, so that the user's own does.
+    cargo.arg(format!("-artifact_prefix={}/", found.display())).args(rest);
     end(cargo.status())
 }
 

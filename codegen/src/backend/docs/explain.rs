@@ -4,7 +4,7 @@
 use serde::Serialize;
 
 use super::book::Book;
-use super::{alarms, errata, homing, modes, objects, rules};
+use super::{MARKS, alarms, errata, homing, modes, objects, rules};
 use crate::backend::template::render_lines;
 use crate::emit::escape::one_line;
 use crate::model::{Address, Model};
@@ -22,7 +22,15 @@ pub fn explain(model: &Model, what: &str) -> Option<String> {
     found.extend(behaviour_of(&book, &asked));
     found.extend(texts_of(&book, &asked));
     let title = format!("{} {}", one_line(&model.drive.vendor), one_line(&model.drive.name));
-    (!found.is_empty()).then(|| format!("{title}\n\n{}", found.join("\n")))
+    (!found.is_empty()).then(|| marks_told(format!("{title}\n\n{}", found.join("\n"))))
+}
+
+/// The answer, and what its marks mean where it has some.
+fn marks_told(mut answer: String) -> String {
+    if answer.contains(['ⁱ', 'ˢ', 'ᵃ']) {
+        answer.extend(["\n", "Marks: ", MARKS, ".\n"]);
+    }
+    answer
 }
 
 /// A question, and the numbers that it may mean.

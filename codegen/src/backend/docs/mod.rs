@@ -74,12 +74,16 @@ pub(super) struct Page {
 /// A page with what every page has: where it belongs, and what the marks mean.
 fn whole(book: &Book<'_>, page: &Page) -> String {
     let drive = format!("{} {}", book.text(&book.model.drive.vendor), book.text(&book.model.drive.name));
-    let head = format!("{GENERATED}\n# {}\n\n[{drive}](README.md) · {LEGEND}\n\n", page.title);
+    let head = format!(
+        "{GENERATED}\n# {}\n\n[{drive}](README.md) · {MARKS} ([why](known.md)) · {PLACES}\n\n",
+        page.title
+    );
     head + &squeezed(&page.body)
 }
 
-const LEGEND: &str = "not stated by the manual: ⁱ inferred, ˢ from the standard, ᵃ assumed ([why](known.md)) · \
-                      places as in `6.2 T6-2 L1236`: section, table, line of the text extract";
+/// What the marks behind values mean.
+const MARKS: &str = "not stated by the manual: ⁱ inferred, ˢ from the standard, ᵃ assumed";
+const PLACES: &str = "places as in `6.2 T6-2 L1236`: section, table, line of the text extract";
 
 /// Without more than one empty line in a row: templates need not care.
 fn squeezed(text: &str) -> String {

@@ -11,7 +11,7 @@ pub(super) const DRIVE: &[Rule] = &[
     rule("pdo_limits_lowered", Breaking, "A layout that was allowed may not be any more.", |c| c.field_is(PDO_LIMITS) && lowered(c)),
     rule("pdo_limits_raised", New, "Layouts are allowed that were not.", |c| c.field_is(PDO_LIMITS)),
     rule(VERSION.name, VERSION.effect, VERSION.why, VERSION.holds),
-    rule("wording", Documentation, "Texts only.", |c| c.field_is(&["vendor", "name", "bases"])),
+    rule("wording", Documentation, "Texts only.", |c| c.field_is(&["vendor", "name", "bases", "note"])),
 ];
 
 const PDO_LIMITS: &[&str] = &["pdo_entries", "pdo_bytes", "pdos_per_direction"];
@@ -66,6 +66,12 @@ pub(super) const BUS: &[Rule] = &[
     rule("bus_told", New, "The profile did not say it before; the drive may be the same.", added),
     rule("wording", Documentation, "Texts only.", |c| c.field_is(&["text"])),
     rule("bus_changed", Breaking, "A master's configuration, or its reading of emergency messages, is of the former drive.", |_| true),
+];
+
+#[rustfmt::skip]
+pub(super) const STARTUP: &[Rule] = &[
+    rule("wording", Documentation, "Texts only.", |c| c.field_is(&["text"])),
+    rule("startup_changed", Axis, "A master that starts from the ESI writes something else, or at another time.", |_| true),
 ];
 
 #[rustfmt::skip]

@@ -35,10 +35,10 @@ commands = [ { name = "Reset", mask = 0x80, value = 0x80, src = "1 L17" } ]
 aborts = [ { code = 0x06020000, name = "No such object", src = "1 L18" } ]
 io = [ { terminal = "DI1", kind = "input", pin = 1, text = "t", src = "1 L19" }, { terminal = "DI2", kind = "input", pin = 2, src = "1 L19" } ]
 sync_managers = [ { number = 0, use = "mailbox out", src = "1 L20" } ]
-ethercat = [ { physics = "YY", src = "1 L20" } ]
-coe = [ { feature = "sdo information", supported = true, src = "1 L20" } ]
-dc_modes = [ { number = 1, name = "DC", sync = "sync0", text = "t", src = "1 L20" } ]
-startup = [ { number = 1, transition = "PS", write = "2000:00", value = 5, src = "1 L20" } ]
+ethercat = [ { group = "Servos", src = "1 L20" } ]
+coe = [ { feature = "complete access", supported = false, src = "1 L20" } ]
+dc_modes = [ { number = 1, name = "DC", sync = "sync0", assign_activate = 0x300, src = "1 L20" } ]
+startup = [ { number = 1, transition = "PS", write = "2001:00", value = 1, text = "first", src = "1 L20" } ]
 emcy = [ { byte = 0, bytes = 2, holds = "error code", text = "t", src = "1 L22" }, { byte = 2, bytes = 6, holds = "reserved", src = "1 L22" } ]
 rules = [ { id = "R1", text = "r", require = "2000:00 > 0", src = "1 L23" } ]
 [drive]
@@ -130,6 +130,13 @@ const CASES: &[Case] = &[
     (PDO, "", &[("pdo 1600", "breaking", "", "pdo_removed"), ("pdo 1600 1", "breaking", "", "pdo_removed"), ("pdo 1600 2", "breaking", "", "pdo_removed")]),
     (SECOND_ENTRY, "", &[("pdo 1600 bytes", "breaking", "", "layout_changed"), ("pdo 1600 2", "breaking", "", "layout_changed")]),
     ("", SECOND_ENTRY, &[("pdo 1600 bytes", "breaking", "", "layout_changed"), ("pdo 1600 2", "breaking", "", "layout_changed")]),
+    // EtherCAT.
+    (r#"group = "Servos""#, r#"group = "Axes""#, &[("ethercat group", "breaking", "", "bus_changed")]),
+    ("supported = false", "supported = true", &[("coe complete access supported", "breaking", "", "bus_changed")]),
+    ("0x300", "0x700", &[("dc mode 1 assign_activate", "breaking", "", "bus_changed")]),
+    (r#"transition = "PS""#, r#"transition = "SO""#, &[("startup 1 transition", "axis", "", "startup_changed")]),
+    ("first", "second", &[("startup 1 text", "documentation", "", "wording")]),
+    (r#"pdo_bytes = 8"#, "note = \"n\"\npdo_bytes = 8", &[("drive note", "documentation", "", "wording")]),
     // Alarms.
     ("alarms = [ ", "alarms = [ { display = \"OS\", number = 0x26, code = 0x8400, name = \"Speed\", src = \"1 L10\" }, ", &[("alarm OS 0x26", "new", "", "alarm_added")]),
     (ALARM, "]", &[("alarm OF 0x25", "breaking", "", "alarm_removed")]),
@@ -154,11 +161,7 @@ const CASES: &[Case] = &[
     ("", TERMINAL_2, &[("terminal DI2", "new", "", "terminal_added")]),
     ("pin = 1, text = \"t\"", "pin = 3, text = \"u\"", &[("terminal DI1 pin", "axis", "", "wiring_changed"), ("terminal DI1 text", "documentation", "", "wording")]),
     (r#"use = "mailbox out""#, r#"use = "mailbox in""#, &[("sync manager 0 use", "breaking", "", "bus_changed")]),
-    (r#"physics = "YY""#, r#"physics = "YK""#, &[("ethercat physics", "breaking", "", "bus_changed")]),
-    ("", r#"{ feature = "sdo information", supported = true, src = "1 L20" }"#, &[("coe sdo information", "new", "", "bus_told")]),
-    ("supported = true", "supported = false", &[("coe sdo information supported", "breaking", "", "bus_changed")]),
-    (r#"sync = "sync0", text = "t""#, r#"sync = "sync0 sync1", text = "t""#, &[("dc mode 1 sync", "breaking", "", "bus_changed")]),
-    ("value = 5, src", "value = 6, src", &[("startup 1 value", "breaking", "", "bus_changed")]),
+    ("", r#"{ feature = "complete access", supported = false, src = "1 L20" }"#, &[("coe complete access", "new", "", "bus_told")]),
     (r#"holds = "error code", text = "t""#, r#"holds = "error code", text = "u""#, &[("emcy 0 text", "documentation", "", "wording")]),
     (r#"require = "2000:00 > 0""#, r#"require = "2000:00 > 1""#, &[("rule R1 require", "axis", "", "demand_changed")]),
     (r#"text = "r""#, r#"text = "s""#, &[("rule R1 text", "documentation", "", "wording")]),
@@ -223,6 +226,7 @@ fn all() -> impl Iterator<Item = &'static Rule> {
         "states",
         "terminals",
         "emcy",
+        "startup",
         "rules",
         "manuals",
     ];
