@@ -136,7 +136,7 @@ const CASES: &[Case] = &[
     ("0x300", "0x700", &[("dc mode 1 assign_activate", "breaking", "", "bus_changed")]),
     (r#"transition = "PS""#, r#"transition = "SO""#, &[("startup 1 transition", "axis", "", "startup_changed")]),
     ("first", "second", &[("startup 1 text", "documentation", "", "wording")]),
-    (r#"pdo_bytes = 8"#, "note = \"n\"\npdo_bytes = 8", &[("drive note", "documentation", "", "wording")]),
+    ("pdo_bytes = 8", "note = \"n\"\npdo_bytes = 8", &[("drive note", "documentation", "", "wording")]),
     // Alarms.
     ("alarms = [ ", "alarms = [ { display = \"OS\", number = 0x26, code = 0x8400, name = \"Speed\", src = \"1 L10\" }, ", &[("alarm OS 0x26", "new", "", "alarm_added")]),
     (ALARM, "]", &[("alarm OF 0x25", "breaking", "", "alarm_removed")]),
