@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use super::book::Book;
 use super::meanings::fields_table;
+use super::objects::values;
 use super::table::Table;
-use crate::backend::prose;
 use crate::model::{Address, BitField, Mode};
 
 /// The page.
@@ -84,12 +84,6 @@ fn object(book: &Book<'_>, at: Address) -> [String; 6] {
     let Some((_, entry)) = book.model.entry(at) else {
         return [book.address(at), String::new(), String::new(), String::new(), String::new(), String::new()];
     };
-    [
-        book.address(at),
-        book.text(&entry.name.value),
-        entry.access.value.word().to_owned(),
-        entry.mapping.as_ref().map(|m| m.value.word().to_owned()).unwrap_or_default(),
-        entry.unit.as_ref().map(|u| book.text(&u.value.text)).unwrap_or_default(),
-        prose::range(entry, book.escape()).unwrap_or_default(),
-    ]
+    let [name, _, access, pdo, unit, range, ..] = values(book, entry);
+    [book.address(at), name, access, pdo, unit, range]
 }
