@@ -190,6 +190,7 @@ macro_rules! wire_enum {
             };
 
             /// The name in words; `None` for a number that the manual does not name.
+            #[inline]
             $vis fn name(self) -> ::core::option::Option<&'static str> {
                 Self::DESC.name_of(self.0 as i128)
             }
@@ -221,6 +222,7 @@ macro_rules! wire_enum {
         }
 
         impl ::core::fmt::Debug for $name {
+            #[inline]
             #[allow(clippy::cast_lossless)]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 $crate::wire_enum::debug(f, Self::DESC, self.0 as i128)
