@@ -198,6 +198,7 @@ macro_rules! wire_enum {
 
         impl ::core::marker::Copy for $name {}
 
+        #[allow(clippy::expl_impl_clone_on_copy)]
         impl ::core::clone::Clone for $name {
             #[inline]
             fn clone(&self) -> Self {
