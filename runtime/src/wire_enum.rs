@@ -10,8 +10,11 @@ use crate::wire::{Count, Fixed, Wire, WireError};
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct EnumValue<'m> {
-    value: i64,
-    name: &'m str,
+    // Public for `wire_enum!`: a literal compiles in half the time of a call, and drives have thousands of them.
+    #[doc(hidden)]
+    pub value: i64,
+    #[doc(hidden)]
+    pub name: &'m str,
 }
 
 impl<'m> EnumValue<'m> {
@@ -35,8 +38,10 @@ impl<'m> EnumValue<'m> {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct EnumDesc<'m> {
-    name: &'m str,
-    values: &'m [EnumValue<'m>],
+    #[doc(hidden)]
+    pub name: &'m str,
+    #[doc(hidden)]
+    pub values: &'m [EnumValue<'m>],
 }
 
 impl<'m> EnumDesc<'m> {
@@ -121,7 +126,7 @@ impl<N: Newtype> Count for N {
 
 /// `Debug` of every `wire_enum!`: the name where there is one, otherwise type and number.
 #[doc(hidden)]
-pub fn debug(f: &mut fmt::Formatter<'_>, table: &EnumDesc<'_>, value: i128) -> fmt::Result {
+pub fn debug(f: &mut fmt::Formatter<'_>, table: EnumDesc<'_>, value: i128) -> fmt::Result {
     match table.name_of(value) {
         Some(name) => write!(f, "{name} ({value})"),
         None => write!(f, "{} {value}", table.name),
@@ -164,30 +169,44 @@ macro_rules! wire_enum {
             $($(#[$value_meta:meta])* $value_name:ident = $value:literal => $value_words:literal),* $(,)?
         }
     ) => {
+        // As few and as short bodies as do: each costs every user of a drive with hundreds of tables. `PartialEq` must be
+        // derived, so that constants are patterns; `Clone` and `Eq` are cheaper by hand.
         $(#[$meta])*
-        #[derive(Clone, Copy, PartialEq, Eq)]
+        #[derive(PartialEq)]
         #[repr(transparent)]
         $vis struct $name(
             /// The number.
             $vis $repr,
         );
 
-        #[allow(dead_code)]
+        #[allow(dead_code, clippy::cast_lossless)]
         impl $name {
             $($(#[$value_meta])* $vis const $value_name: Self = Self($value);)*
 
             /// The named values.
-            $vis const DESC: $crate::wire_enum::EnumDesc<'static> = $crate::wire_enum::EnumDesc::new(
-                $words,
-                &[$($crate::wire_enum::EnumValue::new($value, $value_words)),*],
-            );
+            $vis const DESC: $crate::wire_enum::EnumDesc<'static> = $crate::wire_enum::EnumDesc {
+                name: $words,
+                values: &[$($crate::wire_enum::EnumValue { value: $value, name: $value_words }),*],
+            };
 
             /// The name in words; `None` for a number that the manual does not name.
             #[inline]
             $vis fn name(self) -> ::core::option::Option<&'static str> {
-                Self::DESC.name_of($crate::Count::to_count(self))
+                Self::DESC.name_of(self.0 as i128)
             }
         }
+
+        impl ::core::marker::Copy for $name {}
+
+        #[allow(clippy::expl_impl_clone_on_copy)]
+        impl ::core::clone::Clone for $name {
+            #[inline]
+            fn clone(&self) -> Self {
+                *self
+            }
+        }
+
+        impl ::core::cmp::Eq for $name {}
 
         impl $crate::wire_enum::Newtype for $name {
             type Repr = $repr;
@@ -205,8 +224,9 @@ macro_rules! wire_enum {
 
         impl ::core::fmt::Debug for $name {
             #[inline]
+            #[allow(clippy::cast_lossless)]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                $crate::wire_enum::debug(f, &Self::DESC, $crate::Count::to_count(*self))
+                $crate::wire_enum::debug(f, Self::DESC, self.0 as i128)
             }
         }
 

@@ -33,17 +33,31 @@ pub fn is_hidden(c: char) -> bool {
         ('\u{1D173}', '\u{1D17A}'),
         ('\u{E0000}', '\u{E0FFF}'),
     ];
+    if c.is_ascii() {
+        return c.is_ascii_control();
+    }
     let next = HIDDEN.partition_point(|(_, last)| *last < c);
     c.is_control() || HIDDEN.get(next).is_some_and(|(first, _)| *first <= c)
 }
 
 /// One line without hidden characters: each run of them becomes a blank.
 pub fn one_line(text: &str) -> String {
+    if is_plain(text) {
+        return text.to_owned();
+    }
     text.split(is_hidden).filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ")
+}
+
+/// Whether `text` is printable ASCII, as nearly every text is: then no character of it is looked at twice.
+fn is_plain(text: &str) -> bool {
+    text.as_bytes().iter().all(|b| matches!(b, b' '..=b'~'))
 }
 
 /// Text inside one line of plain text, from which the text can be read back: hidden characters as `\u{202e}`.
 pub fn plain_line(text: &str) -> String {
+    if is_plain(text) && !text.contains('\\') {
+        return text.to_owned();
+    }
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
@@ -206,7 +220,8 @@ pub fn sii(text: &str) -> String {
         c if char::is_ascii(&c) => c,
         _ => '?',
     };
-    one_line(text).chars().map(ascii).collect()
+    let line = one_line(text);
+    if line.is_ascii() { line } else { line.chars().map(ascii).collect() }
 }
 
 /// Text inside an XML comment: one line without the two dashes that would end it. Nothing else has a meaning there.
