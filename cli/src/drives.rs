@@ -73,8 +73,13 @@ pub(crate) fn find(named: &str) -> Result<Found, End> {
     folder(named).and_then(open)
 }
 
+/// The profiles that are `named`, or all when none is, compiled. What is wrong is said.
+pub(crate) fn find_all(named: &[String]) -> Result<Vec<Found>, End> {
+    folders(named)?.into_iter().map(open).collect()
+}
+
 /// Compiles the profile in `folder`.
-pub(crate) fn open(folder: PathBuf) -> Result<Found, End> {
+fn open(folder: PathBuf) -> Result<Found, End> {
     let (compiled, _) = compile_folder(&folder);
     if let Some(model) = compiled.sound() {
         return Ok(Found { id: model.drive.id.clone(), folder, compiled });

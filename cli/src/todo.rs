@@ -5,13 +5,11 @@ use drivewright_codegen::todo::{Item, Priority, todo};
 use serde_json::{Value, json};
 
 use crate::End;
-use crate::drives::{Found, folders, open};
+use crate::drives::{Found, find_all};
 use crate::output::print;
 
 pub(crate) fn run(drives: &[String], json: bool) -> End {
-    let found: Result<Vec<Found>, End> =
-        folders(drives).and_then(|folders| folders.into_iter().map(open).collect());
-    let found = match found {
+    let found = match find_all(drives) {
         Ok(found) => found,
         Err(end) => return end,
     };
