@@ -39,6 +39,7 @@ impl Instant {
     }
 
     /// So much later; the end of the clock at most.
+    #[must_use]
     pub const fn after(self, span: Duration) -> Self {
         Self(self.0.saturating_add(micros(span)))
     }
