@@ -19,6 +19,7 @@ mod explain;
 mod git;
 mod output;
 mod todo;
+mod trace;
 
 use std::process::ExitCode;
 
