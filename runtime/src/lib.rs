@@ -19,6 +19,7 @@ pub mod object;
 pub mod optional;
 pub mod pdo;
 pub mod quantity;
+pub mod rule;
 pub mod scale;
 pub mod value;
 pub mod wire;
@@ -52,8 +53,9 @@ pub mod prelude {
     pub use crate::homing::{HomingCase, HomingDesc};
     pub use crate::mapping::{Direction, MapNotStated, Mapping, MapsRx, MapsTx, Rx, RxTx, Tx, Unmapped};
     pub use crate::model::{
-        AlarmDesc, AlarmText, Allowed, DefaultValue, DriveModel, EsmAfter, EsmState, Identity, Led, Meaning,
-        ModelError, ObjectDesc, PdoDesc, Remap, Reset, SyncMode, TextDefault, UnitDesc,
+        AbortDesc, AlarmDesc, AlarmText, Allowed, CommandDesc, DefaultValue, DriveModel, Effect, EffectDesc,
+        EmcyContent, EmcyDesc, EsmAfter, EsmState, Identity, Led, Meaning, ModeDesc, ModelError, ObjectDesc,
+        PdoDesc, Remap, Reset, StateDesc, SyncMode, TerminalDesc, TerminalKind, TextDefault, UnitDesc,
     };
     pub use crate::object::{ConvertError, EncodeError, Object, RangeError};
     pub use crate::pdo::{LayoutMismatch, MapEntry, ProcessData};
