@@ -5,3 +5,7 @@
 //! function of the caller. Errors say what happened, why, and what to do: [`message`].
 
 pub mod message;
+pub mod object;
+
+#[cfg(test)]
+mod testing;

@@ -215,16 +215,16 @@ impl Late<'_, '_, '_> {
     }
 }
 
-/// `Display` and `Error` of an error that explains itself: the report.
+/// `Display` and `Error` of an error that explains itself: the report. Its lifetimes come first, in brackets.
 macro_rules! displays {
-    ($($(<$($life:lifetime),+>)? $name:ty;)*) => {$(
-        impl $(<$($life),+>)? core::fmt::Display for $name {
+    ($([$($life:lifetime),*] $name:ty;)*) => {$(
+        impl<$($life),*> core::fmt::Display for $name {
             fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
                 core::fmt::Display::fmt(&$crate::client::message::Report::new(self), f)
             }
         }
 
-        impl $(<$($life),+>)? core::error::Error for $name {}
+        impl<$($life),*> core::error::Error for $name {}
     )*};
 }
 
