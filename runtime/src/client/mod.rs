@@ -1,0 +1,5 @@
+//! The client of a drive: what a program does with it, over any bus.
+
+pub mod axis;
+
+pub use axis::{Axis, AxisPolicy};
