@@ -18,6 +18,7 @@ mod drives;
 mod explain;
 mod git;
 mod output;
+mod simulate;
 mod todo;
 mod trace;
 

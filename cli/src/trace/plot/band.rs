@@ -110,7 +110,9 @@ fn changes(trace: &Trace, bit: u16) -> bool {
 pub(super) fn legend(canvas: &mut Canvas, trace: &Trace, y: f64) -> f64 {
     let (mut x, mut y) = (LEFT, y + 8.0);
     canvas.text(24.0, y + 11.0, "label", "states");
-    for state in State::ALL.into_iter().filter(|s| trace.samples.iter().any(|one| one.state() == Some(*s))) {
+    for state in
+        State::ALL.iter().copied().filter(|s| trace.samples.iter().any(|one| one.state() == Some(*s)))
+    {
         let width = 18.0 + text_width(state.word(), 12.0) + 18.0;
         if x + width > RIGHT {
             (x, y) = (LEFT, y + 20.0);
