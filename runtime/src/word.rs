@@ -1,6 +1,6 @@
 //! Values that profiles write as one of some words.
 
-/// Enums with a word for each value, which they show as.
+/// Enums with a word for each value, which they show as. The compiler reads profiles with the same ones.
 macro_rules! words {
     ($($(#[$doc:meta])* $name:ident { $($(#[$value_doc:meta])* $value:ident = $word:literal,)* })*) => {$(
         $(#[$doc])*
@@ -13,6 +13,9 @@ macro_rules! words {
         }
 
         impl $name {
+            /// Every value, in the order of the documentation.
+            pub const ALL: &'static [Self] = &[$(Self::$value),*];
+
             /// The word of profiles.
             pub const fn word(self) -> &'static str {
                 match self {
