@@ -251,6 +251,13 @@ impl Model {
         method.same.as_ref().map_or(Some(method), |same| find(same.value))
     }
 
+    /// The entry that gives a terminal its function: the one with the number of its parameter.
+    pub fn function_of(&self, terminal: &Terminal) -> Option<Address> {
+        let parameter = &terminal.parameter.as_ref()?.value;
+        let is_it = |entry: &&Entry| entry.parameter.as_ref().is_some_and(|p| p.value == *parameter);
+        self.entries.as_slice().iter().find(is_it).map(|entry| entry.address)
+    }
+
     /// The object at `index`.
     pub fn object(&self, index: u16) -> Option<&Object> {
         let at = self.objects.as_slice().binary_search_by_key(&index, |o| o.index).ok()?;

@@ -3,10 +3,10 @@
 use std::fmt::Write;
 
 use super::handles::limits;
-use super::items;
 use super::lower::{Lowered, access, meaning_of, quantity, units};
 use super::number::{grouped, hex};
 use super::values::literal;
+use super::{behaviour, items};
 use crate::emit::escape::rust_str;
 use crate::model::{Address, BitField, BitsDef, Direction, Entry, Fact, Id, Model, Pdo, Unit, Value};
 
@@ -50,7 +50,7 @@ fn unit(unit: &Unit) -> String {
     )
 }
 
-fn address(at: Address) -> String {
+pub(super) fn address(at: Address) -> String {
     format!("Address::new(0x{:04X}, 0x{:02X})", at.index, at.sub)
 }
 
@@ -148,6 +148,9 @@ fn whole(model: &Model) -> String {
     }
     if !model.homing.is_empty() {
         out.push_str("\n.with_homing(&super::homing::HOMING)");
+    }
+    for table in behaviour::names(model) {
+        let _ = write!(out, "\n.with_{}(&super::behaviour::{table})", table.to_ascii_lowercase());
     }
     out + ";\n" + TEST
 }
