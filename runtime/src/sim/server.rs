@@ -210,7 +210,7 @@ mod tests {
     fn what_can_only_be_written_is_not_read() {
         let mut cells = [0; cells(&MODEL)];
         let memory = Memory::new(&MODEL, &mut cells).unwrap();
-        let mut read = |address, room: usize| upload(&memory, address, &mut [0; 8][..room]);
+        let read = |address, room: usize| upload(&memory, address, &mut [0; 8][..room]);
         assert_eq!(read(at(0x2002, 0), 8), Err(NoUpload::Abort(AbortCode::WRITE_ONLY)));
         assert_eq!(read(at(0x6041, 0), 1), Err(NoUpload::TooLong));
         assert_eq!(read(at(0x6041, 0), 2), Ok(2));
