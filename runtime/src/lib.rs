@@ -22,6 +22,7 @@ pub mod pdo;
 pub mod procedure;
 pub mod quantity;
 pub mod scale;
+pub mod sim;
 pub mod time;
 pub mod transport;
 pub mod value;
