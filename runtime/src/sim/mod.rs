@@ -37,6 +37,6 @@ pub use config::{Config, HomeOffset, Keeps};
 pub use drive::{NoAnswer, VirtualDrive};
 pub use events::Incident;
 pub use link::Link;
-pub use memory::{cells, SpaceError};
+pub use memory::{cells, cells_for, SpaceError};
 pub use network::BusRefusal;
 pub use process::MAX_MAPPED;
