@@ -6,6 +6,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 use crate::convert::ConvertArguments;
+use crate::simulate::SimulateArguments;
 
 const EXIT_CODES: &str = "\
 Exit codes: 0 fine, 1 findings, 2 wrong usage, 3 the disk refused.
@@ -107,6 +108,9 @@ pub(crate) enum Command {
     /// Tells what a revision of a drive means to its users, and which version its crate needs.
     #[command(after_help = DIFF_HELP)]
     Diff(DiffArguments),
+    /// Runs a virtual drive of a profile, commanded by a script or from the terminal.
+    #[command(after_help = crate::simulate::HELP)]
+    Simulate(SimulateArguments),
     /// Lists every code.
     #[command(after_help = "Examples:\n  drivewright lints\n  drivewright lints --json")]
     Lints,

@@ -19,6 +19,7 @@ mod explain;
 mod git;
 mod output;
 mod simulate;
+mod stage;
 mod todo;
 mod trace;
 

@@ -33,6 +33,8 @@ pub(super) enum Command {
     Clear(String, Option<u16>),
     /// A fault of the wires or the drive, with its number.
     Fault(String, Option<u64>),
+    /// What follows is refused by the drive, with this abort code where one is given.
+    Refused(Option<u32>, Box<Command>),
     /// The supply.
     Power(Supply, bool),
     /// An input of the axis.
@@ -41,6 +43,8 @@ pub(super) enum Command {
     State,
     /// A line in the trace.
     Note(String),
+    /// What the simulation assumes.
+    Assumptions,
     /// What can be said.
     Help,
     /// The end.
@@ -140,7 +144,7 @@ const FORMS: &[Form] = &[
     Form {
         name: "exchange",
         usage: "exchange 6040:00=15 60FF:00=1000",
-        does: "sets what the master sends and exchanges process data, from now on in each cycle; `exchange off` ends it",
+        does: "sets what the master sends and exchanges process data, from now on in each cycle; `exchange` alone shows what comes, `exchange off` ends it",
         read: exchange,
     },
     Form {
@@ -154,6 +158,12 @@ const FORMS: &[Form] = &[
         usage: "expect 6041:00 & 0x6F == 0x27",
         does: "ends with 1 if it is not so; also `expect state Fault`",
         read: |w| Ok(Command::Expect(condition(w)?)),
+    },
+    Form {
+        name: "refused",
+        usage: "refused 06090030h write 6060:00 2",
+        does: "ends with 1 if the drive does not refuse it, with this abort code if one is given",
+        read: refused,
     },
     Form {
         name: "until",
@@ -202,6 +212,12 @@ const FORMS: &[Form] = &[
         usage: "note the gripper is closed",
         does: "writes a line into the trace",
         read: |w| Ok(Command::Note(w.join(" "))),
+    },
+    Form {
+        name: "assumptions",
+        usage: "assumptions",
+        does: "lists what is assumed where manuals are silent",
+        read: |w| nothing(w, Command::Assumptions),
     },
     Form { name: "help", usage: "help", does: "lists this", read: |w| nothing(w, Command::Help) },
     Form { name: "quit", usage: "quit", does: "ends", read: |w| nothing(w, Command::Quit) },
@@ -305,6 +321,26 @@ fn state(name: &str) -> Result<String, String> {
         let names: Vec<&str> = State::ALL.iter().map(|state| state.word()).collect();
         format!("`{}` is no state; there are {}", name.escape_debug(), names.join(", "))
     })
+}
+
+/// `06090030h write 6060:00 2`, `read 5FFF`, `bus op`
+fn refused(words: &[&str]) -> Result<Command, String> {
+    let code = words.first().and_then(|word| abort(word));
+    let rest = if code.is_some() { words.get(1..).unwrap_or(&[]) } else { words };
+    let inner = command(&rest.join(" ")).map_err(|refused| refused.what)?;
+    match inner {
+        Some(inner @ (Command::Read(_) | Command::Write(..) | Command::Send(..) | Command::Bus(_))) => {
+            Ok(Command::Refused(code, Box::new(inner)))
+        }
+        _ => Err("read, write, send or bus is wanted".to_owned()),
+    }
+}
+
+/// An abort code: eight hexadecimal digits.
+fn abort(word: &str) -> Option<u32> {
+    let digits = word.strip_prefix("0x").unwrap_or(word);
+    let digits = digits.strip_suffix(['h', 'H']).unwrap_or(digits);
+    u32::from_str_radix(digits, 16).ok().filter(|_| digits.len() == 8)
 }
 
 const PATIENCE: Duration = Duration::from_secs(10);

@@ -16,7 +16,7 @@ use drivewright_runtime::time::Instant;
 
 pub(crate) use plot::svg;
 pub(crate) use rows::{csv, json_lines};
-pub(crate) use text::text;
+pub(crate) use text::{mode_name, text};
 pub(crate) use unit::Unit;
 
 /// What a drive did.
@@ -36,7 +36,9 @@ pub(crate) struct Trace {
 pub(crate) struct Units {
     pub(crate) position: Unit,
     pub(crate) speed: Unit,
-    pub(crate) torque: Unit,
+    pub(crate) force: Unit,
+    /// Torque, or current where the drive does not tell its torque.
+    pub(crate) force_name: &'static str,
 }
 
 /// A drive at one moment, in the counts of its objects.
@@ -47,8 +49,8 @@ pub(crate) struct Sample {
     pub(crate) position: i64,
     /// 606Ch.
     pub(crate) speed: i64,
-    /// 6077h.
-    pub(crate) torque: i64,
+    /// 6077h, or 6078h.
+    pub(crate) force: i64,
     /// 6061h.
     pub(crate) mode: Mode,
     /// 6041h.
@@ -143,12 +145,6 @@ impl Trace {
         changes.extend(events.map(Change::Event));
         changes
     }
-
-    /// The sample at or before `at`.
-    fn at(&self, at: Instant) -> Option<&Sample> {
-        let next = self.samples.partition_point(|sample| sample.at <= at);
-        self.samples.get(next.checked_sub(1)?)
-    }
 }
 
 /// A line of a trace for people.
@@ -158,7 +154,7 @@ enum Change<'t> {
 }
 
 /// Milliseconds with a decimal.
-fn millis(at: Instant) -> String {
+pub(crate) fn millis(at: Instant) -> String {
     let tenths = at.micros().saturating_add(50) / 100;
     format!("{}.{}", tenths / 10, tenths % 10)
 }

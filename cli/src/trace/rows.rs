@@ -14,7 +14,7 @@ pub(crate) fn csv(trace: &Trace) -> String {
         "time [ms]".to_owned(),
         format!("position [{}]", units.position.symbol),
         format!("speed [{}]", units.speed.symbol),
-        format!("torque [{}]", units.torque.symbol),
+        format!("{} [{}]", units.force_name, units.force.symbol),
     ];
     let heads: Vec<String> = heads.iter().map(|head| cell(head)).collect();
     let mut out = format!("{},state,mode,6041h,6040h,event,text\n", heads.join(","));
@@ -37,7 +37,7 @@ fn sample_line(out: &mut String, sample: &Sample, units: &Units) {
         millis(sample.at),
         units.position.show(sample.position),
         units.speed.show(sample.speed),
-        units.torque.show(sample.torque),
+        units.force.show(sample.force),
         sample.state_word(),
         sample.mode.0,
         sample.status.0,
@@ -59,11 +59,11 @@ fn cell(text: &str) -> String {
 /// An object a line: the samples in which a word or the mode changed, and the events. Numbers are raw counts, and
 /// microseconds.
 pub(crate) fn json_lines(trace: &Trace) -> String {
-    let line = |change: &Change<'_>| format!("{}\n", json(&object(change).to_string()));
+    let line = |change: &Change<'_>| format!("{}\n", json(&object(change, trace.units.force_name).to_string()));
     trace.changes().iter().map(line).collect()
 }
 
-fn object(change: &Change<'_>) -> Value {
+fn object(change: &Change<'_>, force: &str) -> Value {
     match change {
         Change::Sample { now, .. } => json!({
             "at_us": now.at.micros(),
@@ -71,7 +71,7 @@ fn object(change: &Change<'_>) -> Value {
             "mode": now.mode.0,
             "position": now.position,
             "speed": now.speed,
-            "torque": now.torque,
+            force: now.force,
             "statusword": now.status.0,
             "controlword": now.control,
         }),

@@ -10,7 +10,7 @@ fn sample(ms: u64, status: u16, position: i64, speed: i64) -> Sample {
         at: Instant::from_micros(ms * 1000),
         position,
         speed,
-        torque: speed / 10,
+        force: speed / 10,
         mode: if ms < 3 { Mode::NONE } else { Mode::PROFILE_POSITION },
         status: Statusword(status),
         control: if ms < 2 { 0x0000 } else { 0x000F },
@@ -22,7 +22,8 @@ fn small() -> Trace {
     let units = Units {
         position: Unit::new("user units", 1, 1),
         speed: Unit::new("rpm", 1, 10),
-        torque: Unit::new("%", 1, 10),
+        force: Unit::new("%", 1, 10),
+        force_name: "torque",
     };
     let mut trace = Trace::new("Acme <X1> & more".to_owned(), units);
     for ms in 0..500_u64 {

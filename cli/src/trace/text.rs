@@ -12,10 +12,10 @@ const COLUMNS: usize = 7;
 pub(crate) fn text(trace: &Trace) -> String {
     let units = &trace.units;
     let symbol = |unit: &super::Unit| one_line(&unit.symbol);
-    let heads = ["time", "state", "mode", "position", "speed", "torque", "status"].map(str::to_owned);
+    let heads = ["time", "state", "mode", "position", "speed", units.force_name, "status"].map(str::to_owned);
     let under = ["ms".into(), String::new(), String::new(), symbol(&units.position), symbol(&units.speed)]
         .into_iter()
-        .chain([symbol(&units.torque), "6041h".into()]);
+        .chain([symbol(&units.force), "6041h".into()]);
     let mut rows = vec![row(&heads, "what changed"), row(&under.collect::<Vec<_>>(), "")];
     rows.extend(trace.changes().iter().map(|change| match change {
         Change::Sample { before, now } => sampled(trace, *before, now),
@@ -42,7 +42,7 @@ fn sampled(trace: &Trace, before: Option<&Sample>, now: &Sample) -> Row {
         mode_name(now.mode),
         units.position.show(now.position),
         units.speed.show(now.speed),
-        units.torque.show(now.torque),
+        units.force.show(now.force),
         format!("{:04X}h", now.status.0),
     ];
     Row { cells, last: what_changed(before, now) }

@@ -7,16 +7,15 @@ use crate::trace::{Sample, Unit};
 
 /// A panel: what is drawn in it.
 struct Panel {
-    name: &'static str,
     class: &'static str,
     height: f64,
     value: fn(&Sample) -> i64,
 }
 
 const PANELS: &[Panel] = &[
-    Panel { name: "position", class: "position", height: 170.0, value: |s| s.position },
-    Panel { name: "speed", class: "speed", height: 130.0, value: |s| s.speed },
-    Panel { name: "torque", class: "torque", height: 110.0, value: |s| s.torque },
+    Panel { class: "position", height: 170.0, value: |s| s.position },
+    Panel { class: "speed", height: 130.0, value: |s| s.speed },
+    Panel { class: "force", height: 110.0, value: |s| s.force },
 ];
 
 const GAP: f64 = 24.0;
@@ -29,7 +28,9 @@ pub(super) fn height() -> f64 {
 /// Draws the panels below `y`; gives where the next thing may be drawn.
 pub(super) fn panels(canvas: &mut Canvas, trace: &Trace, time: &TimeAxis, mut y: f64) -> f64 {
     let units = &trace.units;
-    for (panel, unit) in PANELS.iter().zip([&units.position, &units.speed, &units.torque]) {
+    let named = [("position", &units.position), ("speed", &units.speed), (units.force_name, &units.force)];
+    for (panel, (name, unit)) in PANELS.iter().zip(named) {
+        canvas.text(24.0, y + 14.0, "label", name);
         draw(canvas, trace, time, panel, unit, y);
         y += panel.height + GAP;
     }
@@ -45,7 +46,6 @@ fn draw(canvas: &mut Canvas, trace: &Trace, time: &TimeAxis, panel: &Panel, unit
         canvas.line(if tick == 0.0 { "zero" } else { "grid" }, (LEFT, y), (RIGHT, y));
         canvas.text_end(LEFT - 8.0, y + 4.0, "tick", &text);
     }
-    canvas.text(24.0, top + 14.0, "label", panel.name);
     canvas.text(24.0, top + 30.0, "tick", &format!("[{}]", unit.symbol));
     let points: Vec<(f64, f64)> =
         trace.samples.iter().map(|s| (time.x(s.at), axis.y(value(s), top, bottom))).collect();

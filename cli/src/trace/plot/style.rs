@@ -13,7 +13,7 @@ text { font: 12px system-ui, 'Segoe UI', Helvetica, Arial, sans-serif; }
 .end { text-anchor: end; }
 .mid { text-anchor: middle; }
 path { fill: none; stroke-linejoin: round; }
-.position, .speed, .torque { stroke-width: 1.6; }
+.position, .speed, .force { stroke-width: 1.6; }
 .bit { stroke-width: 1.2; }
 .line { stroke-width: 1; stroke-dasharray: 3 3; opacity: 0.75; }
 circle { stroke: none; }
@@ -29,7 +29,7 @@ const COLOURS: &[(&str, &str, &str, &str)] = &[
     (".zero", "stroke", "#a8b1ba", "#586069"),
     (".position", "stroke", "#0757b8", "#58a6ff"),
     (".speed", "stroke", "#176f2c", "#4cc35f"),
-    (".torque", "stroke", "#a33c00", "#f0883e"),
+    (".force", "stroke", "#a33c00", "#f0883e"),
     (".bit", "stroke", "#57606a", "#9aa4af"),
     (".set", "fill", "#cfd7df", "#39424d"),
     (".mode", "fill", "#dde7f5", "#22344d"),
