@@ -41,7 +41,7 @@ impl VirtualDrive<'_, '_> {
         let word = Controlword(low16(self.memory.used(self.slots.controlword)));
         let options = self.options();
         let transition = self.change_state(word, options, cycle);
-        self.act_on(transition);
+        self.act_on(transition, word);
         let order = self.device.order(&options);
         let incident = self.modes.step(
             &mut self.memory,
@@ -112,16 +112,16 @@ impl VirtualDrive<'_, '_> {
     }
 
     /// What a transition does besides leading to another state.
-    fn act_on(&mut self, transition: Option<Transition>) {
+    fn act_on(&mut self, transition: Option<Transition>, word: Controlword) {
         match transition.map(Transition::number) {
             Some(4) => {
                 let broken = rules::broken(&self.memory, Occasion::Enable).next();
                 if let Some(alarm) = broken.and_then(|rule| rules::alarm(self.model(), rule)) {
                     self.raise_alarm(alarm, false);
                 }
-                self.modes.enable(&mut self.memory, &self.slots);
+                self.modes.enable(word);
             }
-            Some(16) => self.modes.enable(&mut self.memory, &self.slots),
+            Some(16) => self.modes.enable(word),
             _ => {}
         }
     }

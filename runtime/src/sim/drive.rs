@@ -18,6 +18,7 @@ use super::memory::{Memory, Slot, SpaceError};
 use super::modes::Modes;
 use super::network::{is_change, BusRefusal};
 use super::number::low16;
+use super::plant::Plant;
 use super::process::Layout;
 use super::server::{self, NoUpload, Situation};
 use super::slots::Slots;
@@ -58,6 +59,8 @@ pub struct VirtualDrive<'m, 's> {
     pub(super) rest: Duration,
     pub(super) esm: EsmState,
     pub(super) received: Layout,
+    /// Process data carry more than words and targets.
+    pub(super) parameters: bool,
     pub(super) sent: Layout,
     /// Time since process data came.
     pub(super) silent: Duration,
@@ -102,7 +105,7 @@ impl<'m, 's> VirtualDrive<'m, 's> {
     pub fn new(model: &'m DriveModel<'m>, memory: &'s mut [i64], config: Config) -> Result<Self, SpaceError> {
         let memory = Memory::new(model, memory)?;
         let slots = Slots::of(&memory);
-        let modes = Modes::new(&memory, &slots, &config);
+        let modes = Modes::new(&memory, &slots, &config, Plant::default());
         let mut drive = Self {
             memory,
             slots,
@@ -114,6 +117,7 @@ impl<'m, 's> VirtualDrive<'m, 's> {
             rest: Duration::ZERO,
             esm: EsmState::PreOp,
             received: Layout::EMPTY,
+            parameters: false,
             sent: Layout::EMPTY,
             silent: Duration::ZERO,
             supply: true,
@@ -124,6 +128,13 @@ impl<'m, 's> VirtualDrive<'m, 's> {
         };
         drive.publish();
         Ok(drive)
+    }
+
+    /// The same drive on another axis.
+    #[must_use]
+    pub fn with_axis(mut self, axis: Plant) -> Self {
+        self.modes = Modes::new(&self.memory, &self.slots, &self.config, axis);
+        self
     }
 
     /// What is assumed where manuals are silent: [`ASSUMPTIONS`](super::ASSUMPTIONS).
@@ -149,6 +160,21 @@ impl<'m, 's> VirtualDrive<'m, 's> {
     /// The state of the state machine.
     pub const fn state(&self) -> State {
         self.device.state()
+    }
+
+    /// The axis: where it is, how fast, what its switches say.
+    pub const fn axis(&self) -> &Plant {
+        self.modes.plant()
+    }
+
+    /// The axis, to put a load on it.
+    pub fn axis_mut(&mut self) -> &mut Plant {
+        self.modes.plant_mut()
+    }
+
+    /// The count of the axis at which the position is 0.
+    pub const fn origin(&self) -> i64 {
+        self.modes.origin()
     }
 
     /// The statusword as it is.
@@ -260,6 +286,7 @@ impl<'m, 's> VirtualDrive<'m, 's> {
         }
         self.received = Layout::of(&self.memory, Direction::Rx).map_err(|_| BusRefusal::OutputMapping)?;
         self.sent = Layout::of(&self.memory, Direction::Tx).map_err(|_| BusRefusal::InputMapping)?;
+        self.parameters = !self.received.is_of(&self.slots.set_points());
         Ok(())
     }
 
@@ -284,7 +311,7 @@ impl<'m, 's> VirtualDrive<'m, 's> {
         let taken = self.supply && self.esm == EsmState::Op && data.len() == self.received.bytes();
         if taken {
             self.received.unpack(&mut self.memory, data);
-            self.modes.refresh();
+            self.modes.received(self.parameters);
             self.silent = Duration::ZERO;
         }
         taken

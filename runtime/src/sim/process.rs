@@ -88,6 +88,11 @@ impl Layout {
         slot.exists() && self.fields.iter().take(self.used).any(|field| field.slot == slot)
     }
 
+    /// Whether it has no entries but these.
+    pub(crate) fn is_of(&self, slots: &[Slot]) -> bool {
+        self.fields.iter().take(self.used).all(|field| !field.slot.exists() || slots.contains(&field.slot))
+    }
+
     /// The values that `data` hold go to their entries.
     pub(crate) fn unpack(&self, memory: &mut Memory<'_, '_>, data: &[u8]) {
         for field in self.fields.iter().take(self.used) {

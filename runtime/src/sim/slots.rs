@@ -92,3 +92,19 @@ slots! {
     target_velocity = 0x60FF, 0;
     supported_modes = 0x6502, 0;
 }
+
+impl Slots {
+    /// Words and targets: what a master sends every cycle and no unit depends on.
+    pub(crate) const fn set_points(&self) -> [Slot; 8] {
+        [
+            self.controlword,
+            self.mode,
+            self.target_position,
+            self.target_velocity,
+            self.target_torque,
+            self.velocity_offset,
+            self.torque_offset,
+            self.probe_function,
+        ]
+    }
+}
