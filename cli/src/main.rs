@@ -13,6 +13,7 @@ mod commands;
 mod convert;
 mod coverage;
 mod dcf;
+mod demo;
 mod diff;
 mod drives;
 mod explain;

@@ -1,7 +1,7 @@
 //! `simulate`: a virtual drive of any profile, commanded by a script or from a terminal.
 
 mod faults;
-mod image;
+
 mod script;
 mod session;
 mod state;

@@ -9,8 +9,8 @@ use drivewright_runtime::transport::{Refusal, Transport};
 use drivewright_runtime::{AbortCode, Address};
 
 use super::script::{Bus, Command, Condition, Supply, help};
-use super::{image, state};
-use crate::stage::{Watched, assumptions};
+use super::state;
+use crate::stage::{Watched, assumptions, image};
 use crate::trace::{Kind, millis};
 
 /// How long an SDO transfer may take.

@@ -1,6 +1,7 @@
 //! A virtual drive of a profile's folder, looked at while it runs: what `simulate` and `demo` share.
 
 mod bus;
+pub(crate) mod image;
 mod record;
 
 use std::path::PathBuf;

@@ -28,6 +28,9 @@ pub(crate) struct Recorder {
     pace: Pace,
     /// Display and number of each alarm that was active.
     alarms: Vec<(String, u16)>,
+    /// The farthest position, and how many counts of the axis that was.
+    farthest: (i64, i64),
+    revolution: i64,
 }
 
 impl Recorder {
@@ -35,7 +38,7 @@ impl Recorder {
         let unit = |at| Unit::of(model, at);
         let (force, force_name) = force(model);
         let units = Units { position: unit(POSITION), speed: unit(SPEED), force: unit(force), force_name };
-        Self { trace: Trace::new(title, units), pace, alarms: Vec::new() }
+        Self { trace: Trace::new(title, units), pace, alarms: Vec::new(), farthest: (0, 0), revolution: 0 }
     }
 
     /// Takes a sample, and events that it shows. In the pace that is asked for, this waits.
@@ -47,7 +50,24 @@ impl Recorder {
             self.compare(&before, &sample);
         }
         self.alarms(drive, &sample);
+        self.measure(drive, sample.position);
         self.pace.keep(sample.at);
+    }
+
+    /// Far from 0 the unit of positions shows best.
+    fn measure(&mut self, drive: &VirtualDrive<'_, '_>, position: i64) {
+        let axis = drive.axis();
+        self.revolution = axis.config().switches.revolution;
+        if position.abs() > self.farthest.0.abs() {
+            self.farthest = (position, axis.position() - drive.origin());
+        }
+    }
+
+    /// Units of position in a revolution, to the nearest; `None` before the axis has moved.
+    pub(crate) fn per_revolution(&self) -> Option<i64> {
+        let (position, counts) = self.farthest;
+        let doubled = (i128::from(position) * i128::from(self.revolution) * 2).checked_div(counts.into())?;
+        i64::try_from((doubled.abs() + 1) / 2).ok()
     }
 
     fn compare(&mut self, before: &Sample, now: &Sample) {

@@ -59,7 +59,8 @@ fn cell(text: &str) -> String {
 /// An object a line: the samples in which a word or the mode changed, and the events. Numbers are raw counts, and
 /// microseconds.
 pub(crate) fn json_lines(trace: &Trace) -> String {
-    let line = |change: &Change<'_>| format!("{}\n", json(&object(change, trace.units.force_name).to_string()));
+    let line =
+        |change: &Change<'_>| format!("{}\n", json(&object(change, trace.units.force_name).to_string()));
     trace.changes().iter().map(line).collect()
 }
 

@@ -6,7 +6,7 @@ use drivewright_runtime::pdo::MapEntry;
 use drivewright_runtime::sim::VirtualDrive;
 
 /// What is exchanged in a direction, in order.
-pub(super) fn mapped(drive: &VirtualDrive<'_, '_>, direction: Direction) -> Vec<MapEntry> {
+pub(crate) fn mapped(drive: &VirtualDrive<'_, '_>, direction: Direction) -> Vec<MapEntry> {
     let assignment = if direction == Direction::Rx { 0x1C12 } else { 0x1C13 };
     let number = |index, sub| drive.value(Address::new(index, sub)).and_then(|n| u32::try_from(n).ok());
     let pdos: Vec<u16> = match number(assignment, 0) {
@@ -30,12 +30,12 @@ fn sub(n: u32) -> u8 {
 }
 
 /// Bytes of the frame.
-pub(super) fn bytes(entries: &[MapEntry]) -> usize {
+pub(crate) fn bytes(entries: &[MapEntry]) -> usize {
     entries.iter().map(|entry| usize::from(entry.bits())).sum::<usize>().div_ceil(8)
 }
 
 /// Lays values out, the lowest bit first.
-pub(super) fn pack(entries: &[MapEntry], value: impl Fn(Address) -> i128) -> Vec<u8> {
+pub(crate) fn pack(entries: &[MapEntry], value: impl Fn(Address) -> i128) -> Vec<u8> {
     let mut frame = vec![0; bytes(entries)];
     let mut at = 0;
     for entry in entries {
@@ -52,7 +52,7 @@ pub(super) fn pack(entries: &[MapEntry], value: impl Fn(Address) -> i128) -> Vec
 }
 
 /// The numbers of a frame. `signed` says which entries have a sign.
-pub(super) fn unpack(
+pub(crate) fn unpack(
     entries: &[MapEntry],
     frame: &[u8],
     signed: impl Fn(Address) -> bool,
