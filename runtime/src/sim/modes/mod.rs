@@ -74,6 +74,10 @@ pub(crate) struct Modes<'m> {
     lead: Lead,
     order: Order,
     points: SetPoints,
+    /// The planner is on its way to the present set-point, or there.
+    heads: bool,
+    /// The axis is braked although the drive is enabled.
+    brakes: bool,
     homing: Homing<'m>,
     cyclic: Cyclic,
     slope: Slope,
@@ -100,6 +104,8 @@ impl<'m> Modes<'m> {
             lead: Lead::Nothing,
             order: Order::Off,
             points: SetPoints::none(0),
+            heads: false,
+            brakes: false,
             homing: Homing::default(),
             cyclic: Cyclic::at(place),
             slope: Slope::at(0),
@@ -231,6 +237,7 @@ impl<'m> Modes<'m> {
     /// What the axis is told in this cycle.
     fn setpoint(&mut self, context: &Context<'_, 'm, '_>) -> (Setpoint, Option<Incident>) {
         self.limited = false;
+        self.brakes = false;
         if self.active == Mode::HOMING {
             self.look_at_homing(context);
         }
@@ -254,6 +261,7 @@ impl<'m> Modes<'m> {
             return Setpoint::Off;
         }
         self.lead(Lead::Position);
+        (self.brakes, self.heads) = (true, false);
         self.planner.stop(match reaction {
             Reaction::SlowDownRamp => self.units.deceleration,
             Reaction::QuickStopRamp => self.units.quick_stop,
@@ -353,9 +361,11 @@ impl<'m> Modes<'m> {
 
     /// Whether the set-point is reached, or with halt, the axis stands.
     fn at_target(&self) -> bool {
-        self.at_demand()
-            && self.planner.point().velocity == 0
-            && (self.points.current().is_none() || self.planner.done())
+        if self.brakes {
+            return self.stands();
+        }
+        let there = self.points.current().is_none() || self.heads && self.planner.done();
+        there && self.at_demand() && self.planner.point().velocity == 0
     }
 
     /// The speed up to which the axis stands: 606Fh, or what the axis says.
