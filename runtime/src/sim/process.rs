@@ -24,7 +24,7 @@ pub(crate) const fn assignment(direction: Direction) -> u16 {
     }
 }
 
-/// Why there is no layout: the master is refused SafeOP.
+/// Why there is no layout: the master is refused `SafeOP`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct LayoutError(pub(crate) Direction);
 
@@ -72,7 +72,13 @@ impl Layout {
         let signed = memory.object(slot).is_some_and(|object| object.data_type().is_signed());
         let field = self.fields.get_mut(self.used)?;
         let byte = u16::try_from(self.bits >> 3).ok()?;
-        *field = Field { slot, byte, shift: (self.bits & 7) as u8, bits: entry.bits(), signed };
+        *field = Field {
+            slot,
+            byte,
+            shift: low8(i64::try_from(self.bits & 7).unwrap_or(0)),
+            bits: entry.bits(),
+            signed,
+        };
         self.used = self.used.checked_add(1)?;
         self.bits = self.bits.checked_add(usize::from(entry.bits()))?;
         Some(())
@@ -86,6 +92,12 @@ impl Layout {
     /// Whether it has an entry.
     pub(crate) fn has(&self, slot: Slot) -> bool {
         slot.exists() && self.fields.iter().take(self.used).any(|field| field.slot == slot)
+    }
+
+    /// The first byte of an entry.
+    pub(crate) fn byte_of(&self, slot: Slot) -> Option<usize> {
+        let field = self.fields.iter().take(self.used).find(|field| field.slot == slot && slot.exists())?;
+        Some(usize::from(field.byte))
     }
 
     /// Whether it has no entries but these.
@@ -105,7 +117,7 @@ impl Layout {
 
     /// The values of the entries go to `data`, which is as long as the layout.
     pub(crate) fn pack(&self, memory: &Memory<'_, '_>, data: &mut [u8]) {
-        data.iter_mut().for_each(|byte| *byte = 0);
+        data.fill(0);
         for field in self.fields.iter().take(self.used) {
             let value = bits(extend(bits(memory.now(field.slot)), u32::from(field.bits), false));
             let value = u128::from(value) << (field.shift & 7);

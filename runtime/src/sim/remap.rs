@@ -26,7 +26,7 @@ pub(crate) fn target<'m>(memory: &Memory<'m, '_>, address: Address) -> Option<Ta
     direction.map(Target::Assignment).or_else(|| Pdo::at(memory, index).map(Target::Mapping))
 }
 
-/// Whether `value` may be written: only in PreOP, and entries only while there is nothing that uses them.
+/// Whether `value` may be written: only in `PreOP`, and entries only while there is nothing that uses them.
 pub(crate) fn check<'m>(
     memory: &Memory<'m, '_>,
     target: Target<'m>,

@@ -127,3 +127,37 @@ fn a_mode_that_the_drive_does_not_have_is_not_taken() {
     rig.run(1);
     assert_eq!(rig.read(0x6061, 0), 6);
 }
+
+#[test]
+fn the_touch_probe_takes_the_place_of_an_index_pulse() {
+    let mut rig = Rig::enabled(3);
+    // Probe 1 on, at the index pulse, once, at the rising edge: 4.9.1.
+    rig.write(0x60B8, 0, 0x15).unwrap();
+    rig.write(0x60FF, 0, 600).unwrap();
+    rig.run(1);
+    assert_eq!(rig.read(0x60B9, 0), 0x41, "on, by the index pulse");
+    rig.run(3_000);
+    assert_eq!(rig.read(0x60B9, 0), 0xC3, "latched, and toggled once");
+    let index = drivewright_runtime::sim::plant::Switches::default().index.unwrap();
+    assert_eq!(rig.read(0x60BA, 0), index / crate::GEAR, "the first pulse");
+    rig.write(0x60B8, 0, 0).unwrap();
+    rig.run(1);
+    assert_eq!(rig.read(0x60B9, 0), 0);
+}
+
+#[test]
+fn the_touch_probe_takes_the_place_of_both_edges_of_its_input() {
+    let mut rig = Rig::enabled(3);
+    rig.write(0x3002, 3, 41).unwrap();
+    rig.write(0x60B8, 0, 0x3300).unwrap();
+    rig.write(0x60FF, 0, 600).unwrap();
+    rig.run(500);
+    rig.drive.set_probe(1, true);
+    rig.run(1);
+    let place = rig.read(0x6064, 0);
+    assert_eq!((rig.read(0x60BC, 0), rig.read(0x60B9, 0)), (place, 0x8300));
+    rig.run(100);
+    rig.drive.set_probe(1, false);
+    rig.run(1);
+    assert_eq!((rig.read(0x60BD, 0), rig.read(0x60B9, 0)), (rig.read(0x6064, 0), 0x0700));
+}

@@ -2,6 +2,7 @@
 
 mod cyclic;
 mod homing;
+mod probe;
 mod report;
 mod set_points;
 mod supervise;
@@ -24,6 +25,7 @@ use super::plant::{Plant, Setpoint};
 use super::slots::Slots;
 use cyclic::Cyclic;
 use homing::Homing;
+use probe::{Passed, Probes};
 use report::{Demand, Report};
 use set_points::SetPoints;
 use supervise::Watch;
@@ -57,6 +59,7 @@ enum Lead {
 
 /// The modes of operation, and the axis.
 #[derive(Debug)]
+#[allow(clippy::struct_excessive_bools)] // They are no state together.
 pub(crate) struct Modes<'m> {
     plant: Plant,
     planner: Planner,
@@ -84,6 +87,7 @@ pub(crate) struct Modes<'m> {
     watch: Watch,
     demand: Demand,
     report: Report,
+    probes: Probes,
     /// Something inside the drive holds the axis back.
     limited: bool,
     bits: u16,
@@ -112,6 +116,7 @@ impl<'m> Modes<'m> {
             watch: Watch::default(),
             demand: Demand { position: place, ..Demand::default() },
             report: Report::default(),
+            probes: Probes::default(),
             limited: false,
             bits: 0,
             plant,
@@ -133,6 +138,11 @@ impl<'m> Modes<'m> {
 
     pub(crate) fn plant_mut(&mut self) -> &mut Plant {
         &mut self.plant
+    }
+
+    /// Sets the input of a touch probe.
+    pub(crate) fn set_probe(&mut self, probe: usize, level: bool) {
+        self.probes.set(probe, level);
     }
 
     /// The count of the axis at which the position is 0.
@@ -201,6 +211,13 @@ impl<'m> Modes<'m> {
         let watched = self.supervise(&context);
         self.compose(&context);
         memory.put(slots.mode_display, i64::from(self.active.0));
+        let passed = Passed {
+            crossings: self.plant.crossings(),
+            position: self.plant.position(),
+            origin: self.origin,
+            scale: self.units.position,
+        };
+        self.probes.step(memory, slots, &passed);
         self.report.write(memory, slots, &self.units, (&self.plant, &self.demand, self.origin));
         changed.or(incident).or(watched)
     }
