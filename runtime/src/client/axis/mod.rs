@@ -5,6 +5,7 @@
 
 mod enable;
 mod error;
+mod explain;
 mod home;
 mod io;
 mod policy;
