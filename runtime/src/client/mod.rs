@@ -4,6 +4,8 @@
 //! time in a loop of its own. None allocates; what a service finds goes into memory that the caller gives, or to a
 //! function of the caller. Errors say what happened, why, and what to do: [`message`].
 
+pub mod decode;
+pub mod identify;
 pub mod message;
 pub mod object;
 
