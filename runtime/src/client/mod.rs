@@ -4,8 +4,10 @@
 //! time in a loop of its own. None allocates; what a service finds goes into memory that the caller gives, or to a
 //! function of the caller. Errors say what happened, why, and what to do: [`message`].
 
+pub mod compare;
 pub mod decode;
 pub mod identify;
+pub mod layout;
 pub mod message;
 pub mod object;
 
