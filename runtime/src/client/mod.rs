@@ -10,6 +10,7 @@ pub mod identify;
 pub mod layout;
 pub mod message;
 pub mod object;
+pub mod parameters;
 
 #[cfg(test)]
 mod testing;
