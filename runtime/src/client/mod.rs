@@ -6,6 +6,7 @@
 
 pub mod compare;
 pub mod decode;
+pub mod fault;
 pub mod identify;
 pub mod layout;
 pub mod message;

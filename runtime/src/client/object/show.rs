@@ -9,6 +9,7 @@ use crate::data_type::DataType;
 use crate::model::{DefaultValue, DriveModel, ObjectDesc};
 use crate::ratio::Factor;
 use crate::value::write_fraction;
+use crate::wire::Wire;
 
 /// What an entry holds, as a person reads it.
 ///
@@ -97,20 +98,25 @@ impl fmt::Display for Shown<'_, '_> {
 }
 
 fn show_bytes(f: &mut fmt::Formatter<'_>, data_type: DataType, bytes: &[u8]) -> fmt::Result {
-    match (data_type, bytes) {
-        (DataType::VISIBLE_STRING, _) => write!(f, "\"{}\"", Clean(bytes)),
-        (DataType::REAL32, &[a, b, c, d]) => write!(f, "{}", f32::from_le_bytes([a, b, c, d])),
-        (DataType::REAL64, &[a, b, c, d, e, g, h, i]) => {
-            write!(f, "{}", f64::from_le_bytes([a, b, c, d, e, g, h, i]))
-        }
-        _ => {
-            f.write_str("[")?;
-            for (at, byte) in bytes.iter().enumerate() {
-                write!(f, "{}{byte:02X}", if at == 0 { "" } else { " " })?;
+    match data_type {
+        DataType::VISIBLE_STRING => return write!(f, "\"{}\"", Clean(bytes)),
+        DataType::REAL32 => {
+            if let Ok(value) = f32::decode(bytes) {
+                return write!(f, "{value}");
             }
-            f.write_str("]")
         }
+        DataType::REAL64 => {
+            if let Ok(value) = f64::decode(bytes) {
+                return write!(f, "{value}");
+            }
+        }
+        _ => {}
     }
+    f.write_str("[")?;
+    for (at, byte) in bytes.iter().enumerate() {
+        write!(f, "{}{byte:02X}", if at == 0 { "" } else { " " })?;
+    }
+    f.write_str("]")
 }
 
 /// The names of the bits of a word that are set, and the word. Bits whose meaning depends on a mode are left out: the mode
