@@ -51,6 +51,7 @@ pub use wire::{Count, Fixed, Wire, WireError};
 ///     Object::new(0x6081, 0).range(0, 60_000).scale(1, 10);
 /// ```
 pub mod prelude {
+    pub use crate::abort::AbortCode;
     pub use crate::access::{Access, Const, Readable, Ro, Rw, Wo, Writable};
     pub use crate::address::Address;
     pub use crate::bit_field::{BitDesc, BitFieldDesc, Bits};
