@@ -251,6 +251,17 @@ impl Model {
         method.same.as_ref().map_or(Some(method), |same| find(same.value))
     }
 
+    /// The distinct units of entries, in the order of the entries.
+    pub fn units(&self) -> Vec<&Unit> {
+        let mut units: Vec<&Unit> = Vec::new();
+        for unit in self.entries.as_slice().iter().filter_map(|entry| entry.unit.as_ref()) {
+            if !units.contains(&&unit.value) {
+                units.push(&unit.value);
+            }
+        }
+        units
+    }
+
     /// The entry that gives a terminal its function: the one with the number of its parameter.
     pub fn function_of(&self, terminal: &Terminal) -> Option<Address> {
         let parameter = &terminal.parameter.as_ref()?.value;

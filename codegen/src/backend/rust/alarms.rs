@@ -16,9 +16,7 @@ pub(super) fn body(lowered: &Lowered<'_>) -> String {
         "AlarmDesc",
         alarms.iter().map(row),
     ));
-    let silent = Detection::default();
-    let told =
-        alarms.iter().filter(|a| !a.causes.is_empty() || !a.remedies.is_empty() || a.detection != silent);
+    let told = alarms.iter().filter(|a| a.is_explained());
     let doc = "Causes, remedies and what EtherCAT shows, where the manual says so. No other table refers to it: it is \
         linked only when it is named.";
     out.push_str(&items::table(doc, "ALARM_TEXTS", "AlarmText", told.map(text)));

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::handles::limits;
-use super::lower::{Lowered, access, meaning_of, quantity, units};
+use super::lower::{Lowered, access, meaning_of, quantity};
 use super::number::{grouped, hex};
 use super::values::literal;
 use super::{behaviour, items};
@@ -13,7 +13,7 @@ use crate::model::{Address, BitField, BitsDef, Direction, Entry, Fact, Id, Model
 pub(super) fn body(lowered: &Lowered<'_>) -> String {
     let model = lowered.model;
     let mut out = String::from("use super::alarms::ALARMS;\nuse drivewright_runtime::prelude::*;\n");
-    let units = units(model);
+    let units = model.units();
     out.push_str(&items::table("Units.", "UNITS", "UnitDesc", units.iter().map(|u| unit(u))));
     let rows = model.entries.iter().map(|(_, e)| object(e, &units));
     out.push_str(&items::table("Entries of the dictionary, by address.", "OBJECTS", "ObjectDesc", rows));
