@@ -5,6 +5,7 @@
 
 mod enable;
 mod error;
+mod explain;
 mod home;
 mod io;
 mod policy;
@@ -129,6 +130,8 @@ pub struct Axis {
     within: Duration,
     /// The goal has not seen a cycle yet: the time before it does not count.
     begins: bool,
+    /// A sample has come since it began.
+    informed: bool,
     waited: Duration,
     in_state: Duration,
     phase: Duration,
@@ -158,6 +161,7 @@ impl Axis {
             progress: Progress::Done,
             within: Duration::ZERO,
             begins: false,
+            informed: false,
             waited: Duration::ZERO,
             in_state: Duration::ZERO,
             phase: Duration::ZERO,
@@ -272,7 +276,7 @@ impl Axis {
     fn begin(&mut self, goal: Goal, within: Duration) {
         self.enter(goal);
         self.within = within;
-        self.begins = true;
+        (self.begins, self.informed) = (true, false);
         (self.waited, self.in_state) = (Duration::ZERO, Duration::ZERO);
         self.progress = Progress::Pending;
         self.trip = None;
@@ -298,6 +302,7 @@ impl Axis {
             self.phase = self.phase.saturating_add(elapsed);
         }
         self.begins = false;
+        self.informed |= sample.is_some();
         if sample.is_some() {
             let most = self.policy.latency.saturating_add(1);
             self.level_samples = self.level_samples.saturating_add(1).min(most);
@@ -329,8 +334,8 @@ impl Axis {
         }
         let verdict = match (self.view.feedback(), self.view.word()) {
             (Feedback::Stale(_), _) => Err(AxisErrorKind::Stale { age: self.view.age() }),
-            (_, Some(word)) => self.advance(word),
-            (_, None) => Ok(false),
+            (_, Some(word)) if self.informed => self.advance(word),
+            _ => Ok(false),
         };
         match verdict {
             Ok(true) => self.finish(Progress::Done),
@@ -375,6 +380,8 @@ impl Axis {
         match self.goal {
             Goal::Enable(_) => self.let_go(),
             Goal::Resume if !self.enabled => self.let_go(),
+            // A stop that does not end by itself, for example: the motor is to be without torque.
+            Goal::Disable => self.set_level(Command::DisableVoltage),
             // A mode that was not taken now is not to be taken at any time later.
             Goal::SelectMode => self.mode = self.view.mode().or(self.mode),
             _ => (),
