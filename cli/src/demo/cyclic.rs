@@ -6,8 +6,8 @@ use std::time::Duration;
 use drivewright_runtime::cia402::Mode;
 
 use super::actor::{Actor, said};
-use super::profile::{TARGET_TORQUE, TARGET_VELOCITY};
-use crate::stage::{POSITION, SPEED};
+use super::profile::{TARGET_TORQUE, TARGET_VELOCITY, put};
+use crate::stage::{POSITION, SPEED, TORQUE};
 
 /// Selects a mode; without process data there is no cycle.
 fn select(actor: &mut Actor<'_, '_, '_, '_>, mode: Mode) -> Result<bool, String> {
@@ -92,11 +92,9 @@ pub(super) fn torque(actor: &mut Actor<'_, '_, '_, '_>) -> Result<String, String
     let mut most = 0;
     for (sign, steps) in [(1, 100), (-1, 150), (1, 50), (0, 150)] {
         for _ in 0..steps {
-            let target = i16::try_from(sign * top).map_err(|_| "the target has no 16 bits".to_owned())?;
-            let axis = actor.drive.client_mut().axis_mut();
-            axis.target_torque(target).map_err(|error| error.to_string())?;
+            put(actor, sign * top)?;
             actor.cycle()?;
-            most = most.max(i64::from(actor.machine().axis().torque()));
+            most = most.max(actor.value(TORQUE));
         }
     }
     actor.number("target", top);

@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use drivewright_codegen::live::Live;
 use drivewright_runtime::cia402::Mode;
+use drivewright_runtime::client::fault::{Fault, ReadFault};
 use drivewright_runtime::model::{AlarmDesc, AlarmText, Reset};
-use drivewright_runtime::transport::Transport;
 
 use super::actor::{Actor, said};
 use super::profile::TARGET_VELOCITY;
@@ -51,8 +51,10 @@ fn alarm<'m>(actor: &mut Actor<'_, '_, 'm, '_>, live: &Live<'_>) -> Option<&'m A
 
 /// What the client says of it, with the texts of the manual's table and where they are.
 fn explain(actor: &mut Actor<'_, '_, '_, '_>, live: &Live<'_>) -> Result<(), String> {
-    let fault = actor.drive.fault().map_err(said)?.ok_or("the drive reports no fault")?;
-    let mut told = fault.with_texts(live.alarm_texts()).to_string();
+    let model = live.model();
+    let Ok(evidence) = actor.drive.call(&mut ReadFault::new(&model));
+    let fault = Fault::new(&model, live.alarm_texts(), evidence.map_err(|error| error.to_string())?);
+    let mut told = fault.to_string();
     let sources = fault.alarms().filter_map(|alarm| Some((alarm.display(), live.alarm_source(alarm)?)));
     for (display, source) in sources {
         told += &format!("\n  source : {display}: {source}");
@@ -67,6 +69,8 @@ pub(super) fn reset(actor: &mut Actor<'_, '_, '_, '_>) -> Result<String, String>
     let resettable = actor.machine().alarms().all(|active| clears(active.alarm.reset()));
     if resettable {
         actor.operate()?;
+        // The first cycle after the silence tells the client that the axis is not in operation any more.
+        let _ = actor.drive.cycle();
         actor.drive.reset_fault().map_err(said)?;
         return Ok(format!("by a rising edge of bit 7; {}", actor.machine().state()));
     }
@@ -75,7 +79,5 @@ pub(super) fn reset(actor: &mut Actor<'_, '_, '_, '_>) -> Result<String, String>
     actor.rest(start_up);
     actor.operate()?;
     actor.drive.client_mut().forget();
-    let now = actor.drive.bus().now();
-    actor.drive.bus().wait(now);
     Ok("by switching the control supply off and on, as the manual asks".to_owned())
 }

@@ -3,10 +3,11 @@
 use std::time::Duration;
 
 use drivewright_runtime::Address;
+use drivewright_runtime::cia402::Mode;
 use drivewright_runtime::client::moves::MoveTo;
 
 use super::actor::{Actor, said};
-use crate::stage::{POSITION, SPEED};
+use crate::stage::{POSITION, SPEED, TORQUE};
 
 const PROFILE_VELOCITY: Address = Address::new(0x6081, 0);
 pub(super) const TARGET_VELOCITY: Address = Address::new(0x60FF, 0);
@@ -44,16 +45,23 @@ pub(super) fn velocity(actor: &mut Actor<'_, '_, '_, '_>) -> Result<String, Stri
     Ok(format!("to {target}; turned at {reached}, and back to standstill"))
 }
 
-/// Just more torque than friction takes, for a moment.
+/// Just more torque than friction takes, for a moment. Nobody waits for bit 10, which some drives do not have in this mode.
 pub(super) fn torque(actor: &mut Actor<'_, '_, '_, '_>) -> Result<String, String> {
+    actor.drive.select_mode(Mode::PROFILE_TORQUE).map_err(said)?;
     let target = actor.torque(TARGET_TORQUE, 5);
-    actor.drive.torque(target, WITHIN).map_err(said)?;
+    put(actor, target)?;
     actor.hold(Duration::from_millis(250))?;
-    let (torque, speed) = (actor.machine().axis().torque(), actor.speed_told());
+    let (torque, speed) = (actor.value(TORQUE), actor.speed_told());
     actor.number("target", target);
-    actor.number("reached", torque.into());
-    actor.drive.torque(0, WITHIN).map_err(said)?;
-    actor.hold(Duration::from_millis(250))?;
+    actor.number("reached", torque);
+    put(actor, 0)?;
+    actor.hold(Duration::from_millis(350))?;
     let target = actor.told(TARGET_TORQUE, target);
     Ok(format!("{target} for a quarter of a second: the axis ran up to {speed}"))
+}
+
+/// The torque from the next cycle on.
+pub(super) fn put(actor: &mut Actor<'_, '_, '_, '_>, torque: i64) -> Result<(), String> {
+    let torque = i16::try_from(torque).map_err(|_| "the target has no 16 bits".to_owned())?;
+    actor.drive.client_mut().axis_mut().target_torque(torque).map_err(|error| error.to_string())
 }

@@ -17,7 +17,7 @@ use crate::output::{disk, tell};
 use crate::trace::{self, Trace};
 
 pub(crate) use bus::Watched;
-pub(crate) use record::{POSITION, Pace, Recorder, SPEED, force, named};
+pub(crate) use record::{POSITION, Pace, Recorder, SPEED, TORQUE, force, named};
 
 /// Files that a trace goes to.
 #[derive(Args)]

@@ -13,7 +13,7 @@ use crate::trace::{Kind, Sample, Trace, Unit, Units};
 const CONTROLWORD: Address = Address::new(0x6040, 0);
 pub(crate) const POSITION: Address = Address::new(0x6064, 0);
 pub(crate) const SPEED: Address = Address::new(0x606C, 0);
-const TORQUE: Address = Address::new(0x6077, 0);
+pub(crate) const TORQUE: Address = Address::new(0x6077, 0);
 const CURRENT: Address = Address::new(0x6078, 0);
 
 /// What is looked at for the force of the motor, and what it is called: torque, or current where there is no torque.

@@ -30,11 +30,12 @@ pub(super) fn name(bit: u16, plain: &'static str, mode: Mode) -> &'static str {
     }
 }
 
-/// The bits that came and went: `+target reached -remote`. Nothing where the state alone changed.
-pub(super) fn changed(before: Statusword, now: Statusword, mode: Mode) -> String {
-    let differing = PLAIN.iter().filter(|(bit, _)| (before.0 ^ now.0) & bit != 0);
+/// The bits that came and went, each by its name in the mode in which it was set: `+target reached, -remote`. Nothing
+/// where the state alone changed.
+pub(super) fn changed(before: (Statusword, Mode), now: (Statusword, Mode)) -> String {
+    let differing = PLAIN.iter().filter(|(bit, _)| (before.0.0 ^ now.0.0) & bit != 0);
     let signed = differing.map(|(bit, plain)| {
-        let sign = if now.0 & bit == 0 { '-' } else { '+' };
+        let (sign, mode) = if now.0.0 & bit == 0 { ('-', before.1) } else { ('+', now.1) };
         format!("{sign}{}", name(*bit, plain, mode))
     });
     signed.collect::<Vec<_>>().join(", ")

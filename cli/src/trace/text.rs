@@ -50,7 +50,10 @@ fn sampled(trace: &Trace, before: Option<&Sample>, now: &Sample) -> Row {
 
 /// The bits that changed, and the controlword where it did.
 fn what_changed(before: Option<&Sample>, now: &Sample) -> String {
-    let bits = bits::changed(before.map_or(Statusword(0), |b| b.status), now.status, now.mode);
+    let bits = bits::changed(
+        before.map_or((Statusword(0), now.mode), |b| (b.status, b.mode)),
+        (now.status, now.mode),
+    );
     let control = before.filter(|b| b.control != now.control);
     let control = control.map(|_| format!("6040h = {:04X}h", now.control));
     control.into_iter().chain((!bits.is_empty()).then_some(bits)).collect::<Vec<_>>().join("; ")
