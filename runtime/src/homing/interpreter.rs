@@ -227,7 +227,7 @@ impl<'m> Run<'m> {
 
     /// The case that runs, counted from 1; `None` while there are several candidates.
     pub fn case(&self) -> Option<u8> {
-        let alone = self.state.alive.count_ones() == 1;
+        let alone = self.state.alive.is_power_of_two();
         alone.then(|| self.first())
     }
 
@@ -375,12 +375,11 @@ impl<'m> Run<'m> {
                 self.state.levels.standstill = false;
                 self.state.latched.map_or(Command::Failed(self.not_stated()), |to| Command::Return { to })
             }
-            // There may be no event between two steps, but the place is told with the standstill only.
-            Some(Step::Stop | Step::Latch) => Command::Brake,
             Some(Step::Done) | None if self.state.levels.standstill => {
                 Command::Finished { home: self.state.latched }
             }
-            Some(Step::Done) | None => Command::Brake,
+            // A latch that gets here has no place yet: it takes the place of rest.
+            Some(Step::Stop | Step::Latch | Step::Done) | None => Command::Brake,
         };
     }
 

@@ -47,6 +47,7 @@ use super::{assumptions, rules};
 /// assert_eq!(drive.statusword().0, 0x0231);
 /// ```
 #[derive(Debug)]
+#[allow(clippy::struct_excessive_bools)] // Each is a line of its own at the drive.
 pub struct VirtualDrive<'m, 's> {
     pub(super) memory: Memory<'m, 's>,
     pub(super) slots: Slots,
@@ -98,21 +99,21 @@ impl core::fmt::Display for NoAnswer {
 impl core::error::Error for NoAnswer {}
 
 impl<'m, 's> VirtualDrive<'m, 's> {
-    /// A drive whose supplies are switched on at this moment, in PreOP: the master has set up the mailbox.
+    /// A drive whose supplies are switched on at this moment, in `PreOP`: the master has set up the mailbox.
     ///
     /// # Errors
     /// `memory` has fewer cells than [`cells`](super::cells) says.
     pub fn new(model: &'m DriveModel<'m>, memory: &'s mut [i64], config: Config) -> Result<Self, SpaceError> {
         let memory = Memory::new(model, memory)?;
         let slots = Slots::of(&memory);
-        let modes = Modes::new(&memory, &slots, &config, Plant::default());
+        let axis = Modes::new(&memory, &slots, &config, Plant::default());
         let mut drive = Self {
             memory,
             slots,
             config,
             device: Device::new(),
             alarms: Alarms::new(model),
-            modes,
+            modes: axis,
             now: Instant::START,
             rest: Duration::ZERO,
             esm: EsmState::PreOp,
@@ -170,6 +171,11 @@ impl<'m, 's> VirtualDrive<'m, 's> {
     /// The axis, to put a load on it.
     pub fn axis_mut(&mut self) -> &mut Plant {
         self.modes.plant_mut()
+    }
+
+    /// Sets the input of a touch probe: 0 is the first, 1 the second; there are no others.
+    pub fn set_probe(&mut self, probe: usize, level: bool) {
+        self.modes.set_probe(probe, level);
     }
 
     /// The count of the axis at which the position is 0.
@@ -278,7 +284,7 @@ impl<'m, 's> VirtualDrive<'m, 's> {
         Ok(())
     }
 
-    /// From PreOP to SafeOP: what is exchanged is fixed.
+    /// From `PreOP` to `SafeOP`: what is exchanged is fixed.
     fn lay_out(&mut self) -> Result<(), BusRefusal> {
         let clock = if self.config.distributed_clocks { Occasion::Dc } else { Occasion::FreeRun };
         if rules::broken(&self.memory, clock).next().is_some() {
@@ -298,7 +304,7 @@ impl<'m, 's> VirtualDrive<'m, 's> {
         }
     }
 
-    /// Bytes of the process data that the drive receives and sends: 0 before SafeOP.
+    /// Bytes of the process data that the drive receives and sends: 0 before `SafeOP`.
     pub fn process_data_bytes(&self) -> (usize, usize) {
         match self.esm {
             EsmState::SafeOp | EsmState::Op => (self.received.bytes(), self.sent.bytes()),
@@ -317,7 +323,7 @@ impl<'m, 's> VirtualDrive<'m, 's> {
         taken
     }
 
-    /// Gives process data, in SafeOP and OP; the number of bytes, or `None` where there are none or there is no room.
+    /// Gives process data, in `SafeOP` and `OP`; the number of bytes, or `None` where there are none or there is no room.
     pub fn send(&self, into: &mut [u8]) -> Option<usize> {
         let sends = self.supply && matches!(self.esm, EsmState::SafeOp | EsmState::Op);
         let length = self.sent.bytes();

@@ -68,7 +68,7 @@ impl<'m> Modes<'m> {
         let (units, origin, here) = (self.units, self.origin, self.plant.position());
         let raw = context.memory.used(context.slots.target_position);
         let relative = (context.word & ModeBits::RELATIVE != 0) != self.words.set_is_absolute;
-        let reached = self.points.current().map_or(true, |_| self.at_target());
+        let reached = self.at_target();
         let last = self.planner.target().unwrap_or(here);
         let target = |before: Option<i64>| {
             let way = units.position.inward(raw);
@@ -79,11 +79,13 @@ impl<'m> Modes<'m> {
             let target = self.within(target);
             let way = target.saturating_sub(self.plant.position());
             if self.blocked(way.signum()) && distance(target, here) > 0 {
-                self.limited = true;
+                (self.limited, self.heads) = (true, false);
                 self.planner.stop(self.units.quick_stop);
             } else if self.units.profile_velocity > 0 {
+                self.heads = true;
                 self.planner.move_to(target, self.limits());
             } else {
+                self.heads = false;
                 self.planner.stop(self.units.deceleration);
             }
         }

@@ -75,8 +75,6 @@ pub(crate) struct Units {
     pub(crate) velocity: Scale,
     /// 6071h, 6074h and 6077h.
     pub(crate) torque: Scale,
-    /// Counts of a revolution.
-    pub(crate) revolution: i64,
     /// The speed of a positioning.
     pub(crate) profile_velocity: i64,
     /// The highest speed that a profile has.
@@ -134,7 +132,6 @@ impl View<'_, '_, '_> {
                 slots.target_velocity
             }),
             torque: self.torque_scale(slots.target_torque),
-            revolution: self.revolution,
             profile_velocity: self.speed(slots.profile_velocity).min(max_velocity),
             max_velocity,
             max_motor_speed,
@@ -333,7 +330,6 @@ mod tests {
         memory.put(slots.profile_velocity, 10_000);
         memory.put(memory.slot(at(0x6083, 0)), 500);
         let units = Units::of(&memory, &slots, &Config::default());
-        assert_eq!(units.revolution, 131_072);
         assert_eq!(units.position.inward(10_000), 131_072, "10,000 user units a revolution");
         assert_eq!(units.profile_velocity, 131_072 * 256, "a revolution a second");
         assert_eq!(units.max_motor_speed, 50 * 131_072 * 256, "3,000 rpm");

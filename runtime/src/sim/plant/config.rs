@@ -132,7 +132,7 @@ impl PlantConfig {
         within(self.loops.integral, 0, 200, ConfigError::Gain)?;
         within(self.damping(), 0, 500 << 12, |_| ConfigError::Viscous(self.viscous))?;
         let places = [-FARTHEST, self.lower_stop, self.start, self.upper_stop, FARTHEST];
-        if !places.is_sorted() {
+        if !places.windows(2).all(|pair| pair.first() <= pair.last()) {
             return Err(ConfigError::Stops);
         }
         self.switches.check()
