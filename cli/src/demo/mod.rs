@@ -147,6 +147,5 @@ fn act(actor: &mut Actor<'_, '_, '_, '_>, live: &Live<'_>) -> Result<(), String>
     actor.scene("reset", fault::reset)?;
     actor.scene("enable again", |actor| actor.enable(first))?;
     actor.scene("disable", |actor| actor.disable())?;
-    actor.rest(Duration::from_millis(100));
-    Ok(())
+    actor.hold(Duration::from_millis(150))
 }

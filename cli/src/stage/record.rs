@@ -8,7 +8,7 @@ use drivewright_runtime::cia402::{HomingState, Mode, State};
 use drivewright_runtime::model::{AlarmDesc, DriveModel};
 use drivewright_runtime::sim::VirtualDrive;
 
-use crate::trace::{Kind, Sample, Trace, Unit, Units};
+use crate::trace::{BitNames, Kind, Sample, Trace, Unit, Units};
 
 const CONTROLWORD: Address = Address::new(0x6040, 0);
 pub(crate) const POSITION: Address = Address::new(0x6064, 0);
@@ -38,7 +38,13 @@ impl Recorder {
         let unit = |at| Unit::of(model, at);
         let (force, force_name) = force(model);
         let units = Units { position: unit(POSITION), speed: unit(SPEED), force: unit(force), force_name };
-        Self { trace: Trace::new(title, units), pace, alarms: Vec::new(), farthest: (0, 0), revolution: 0 }
+        Self {
+            trace: Trace::new(title, units, BitNames::of(model)),
+            pace,
+            alarms: Vec::new(),
+            farthest: (0, 0),
+            revolution: 0,
+        }
     }
 
     /// Takes a sample, and events that it shows. In the pace that is asked for, this waits.

@@ -14,6 +14,7 @@ mod tests;
 use drivewright_runtime::cia402::{Mode, State, Statusword};
 use drivewright_runtime::time::Instant;
 
+pub(crate) use bits::BitNames;
 pub(crate) use plot::svg;
 pub(crate) use rows::{csv, json_lines};
 pub(crate) use text::{mode_name, text};
@@ -25,6 +26,7 @@ pub(crate) struct Trace {
     /// The drive, and what was done with it.
     pub(crate) title: String,
     pub(crate) units: Units,
+    pub(crate) bits: BitNames,
     /// Ascending by time.
     pub(crate) samples: Vec<Sample>,
     /// Ascending by time.
@@ -109,8 +111,8 @@ pub(crate) struct Event {
 
 impl Trace {
     /// Nothing yet.
-    pub(crate) fn new(title: String, units: Units) -> Self {
-        Self { title, units, samples: Vec::new(), events: Vec::new() }
+    pub(crate) fn new(title: String, units: Units, bits: BitNames) -> Self {
+        Self { title, units, bits, samples: Vec::new(), events: Vec::new() }
     }
 
     /// Adds a sample. One that is not later than the last takes its place.

@@ -3,7 +3,7 @@
 use drivewright_runtime::cia402::{Mode, Statusword};
 use drivewright_runtime::time::Instant;
 
-use super::{Kind, Sample, Trace, Unit, Units, csv, json_lines, svg, text};
+use super::{BitNames, Kind, Sample, Trace, Unit, Units, csv, json_lines, svg, text};
 
 fn sample(ms: u64, status: u16, position: i64, speed: i64) -> Sample {
     Sample {
@@ -25,7 +25,7 @@ fn small() -> Trace {
         force: Unit::new("%", 1, 10),
         force_name: "torque",
     };
-    let mut trace = Trace::new("Acme <X1> & more".to_owned(), units);
+    let mut trace = Trace::new("Acme <X1> & more".to_owned(), units, BitNames::default());
     for ms in 0..500_u64 {
         let moving = (3..300).contains(&ms);
         let status = match ms {

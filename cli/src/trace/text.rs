@@ -3,7 +3,7 @@
 use drivewright_codegen::emit::escape::one_line;
 use drivewright_runtime::cia402::{Mode, Statusword};
 
-use super::{Change, Event, Kind, Sample, Trace, bits, millis};
+use super::{Change, Event, Kind, Sample, Trace, millis};
 
 /// The columns that are aligned; what changed follows them.
 const COLUMNS: usize = 7;
@@ -45,15 +45,13 @@ fn sampled(trace: &Trace, before: Option<&Sample>, now: &Sample) -> Row {
         units.force.show(now.force),
         format!("{:04X}h", now.status.0),
     ];
-    Row { cells, last: what_changed(before, now) }
+    Row { cells, last: what_changed(trace, before, now) }
 }
 
 /// The bits that changed, and the controlword where it did.
-fn what_changed(before: Option<&Sample>, now: &Sample) -> String {
-    let bits = bits::changed(
-        before.map_or((Statusword(0), now.mode), |b| (b.status, b.mode)),
-        (now.status, now.mode),
-    );
+fn what_changed(trace: &Trace, before: Option<&Sample>, now: &Sample) -> String {
+    let known = before.map_or((Statusword(0), now.mode), |b| (b.status, b.mode));
+    let bits = trace.bits.changed(known, (now.status, now.mode));
     let control = before.filter(|b| b.control != now.control);
     let control = control.map(|_| format!("6040h = {:04X}h", now.control));
     control.into_iter().chain((!bits.is_empty()).then_some(bits)).collect::<Vec<_>>().join("; ")

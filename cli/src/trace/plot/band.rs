@@ -92,7 +92,7 @@ pub(super) fn tracks(canvas: &mut Canvas, trace: &Trace, time: &TimeAxis, mut y:
             if set {
                 canvas.rect("set", (part.from, y + 2.0), (width.max(1.0), TRACK - 4.0), "");
             }
-            let name = bits::name(*bit, plain, mode);
+            let name = trace.bits.name(*bit, plain, mode);
             if set && name != *plain && text_width(name, 10.0) + 4.0 < width {
                 canvas.text_middle((part.from + part.to) / 2.0, y + 11.5, "small", name);
             }
