@@ -143,9 +143,13 @@ fn act(actor: &mut Actor<'_, '_, '_, '_>, live: &Live<'_>) -> Result<(), String>
             other => actor.skip(&crate::trace::mode_name(other), "this demonstration has no part for it"),
         }
     }
-    actor.scene("fault", |actor| fault::provoke(actor, &modes, live))?;
-    actor.scene("reset", fault::reset)?;
-    actor.scene("enable again", |actor| actor.enable(first))?;
+    if actor.model().alarms().is_empty() {
+        actor.skip("fault", "the profile has no alarms");
+    } else {
+        actor.scene("fault", |actor| fault::provoke(actor, &modes, live))?;
+        actor.scene("reset", fault::reset)?;
+        actor.scene("enable again", |actor| actor.enable(first))?;
+    }
     actor.scene("disable", |actor| actor.disable())?;
     actor.hold(Duration::from_millis(150))
 }

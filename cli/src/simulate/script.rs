@@ -37,8 +37,8 @@ pub(super) enum Command {
     Refused(Option<u32>, Box<Command>),
     /// The supply.
     Power(Supply, bool),
-    /// An input of the axis.
-    Input(String, bool),
+    /// A load on the axis, in percent of rated torque.
+    Load(i32),
     /// State, mode, position, alarms.
     State,
     /// A line in the trace.
@@ -109,6 +109,8 @@ pub(super) enum Supply {
     Control,
     /// Of the power stage.
     Main,
+    /// The input that allows torque.
+    Torque,
 }
 
 /// Why a line is no command: what is wrong, and what to do.
@@ -186,20 +188,20 @@ const FORMS: &[Form] = &[
     Form {
         name: "fault",
         usage: "fault lost-pdo 5",
-        does: "disturbs; `fault` alone lists what there is",
+        does: "disturbs from now on; `fault` alone lists what there is, `fault calm` ends it",
         read: fault,
     },
     Form {
         name: "power",
         usage: "power off",
-        does: "control supply off or on; `power main off` for that of the motor",
+        does: "control supply off or on; `power main off` for that of the motor, `power torque off` for an input that allows torque",
         read: power,
     },
     Form {
-        name: "input",
-        usage: "input home on",
-        does: "an input of the axis: positive, negative or home",
-        read: input,
+        name: "load",
+        usage: "load -20",
+        does: "pushes the axis, in percent of rated torque; positive in positive direction",
+        read: load,
     },
     Form {
         name: "state",
@@ -378,15 +380,14 @@ fn fault(words: &[&str]) -> Result<Command, String> {
 fn power(words: &[&str]) -> Result<Command, String> {
     match words {
         ["main", state] => Ok(Command::Power(Supply::Main, switched(state)?)),
+        ["torque", state] => Ok(Command::Power(Supply::Torque, switched(state)?)),
         words => Ok(Command::Power(Supply::Control, switched(one(words)?)?)),
     }
 }
 
-fn input(words: &[&str]) -> Result<Command, String> {
-    match words {
-        [name, state] => Ok(Command::Input((*name).to_owned(), switched(state)?)),
-        _ => Err("the name of an input and on or off are wanted".to_owned()),
-    }
+fn load(words: &[&str]) -> Result<Command, String> {
+    let percent = i32::try_from(number(one(words)?)?).ok().filter(|n| (-1000..=1000).contains(n));
+    percent.map(Command::Load).ok_or_else(|| "a load is -1000 to 1000 % of rated torque".to_owned())
 }
 
 fn switched(word: &str) -> Result<bool, String> {

@@ -74,8 +74,9 @@ impl<'b, 'd, 'm, 's> Session<'b, 'd, 'm, 's> {
                 super::faults::disturb(self.bus, kind, *number).map_err(Failed::Not)
             }
             Command::Power(supply, on) => self.power(*supply, *on),
-            Command::Input(name, on) => {
-                super::faults::input(self.bus.drive(), name, *on).map_err(Failed::Not)
+            Command::Load(percent) => {
+                self.bus.drive().axis_mut().set_load(percent * 10);
+                Ok(String::new())
             }
             Command::State => Ok(state::told(self.bus.drive())),
             Command::Note(text) => {
@@ -302,6 +303,7 @@ impl<'b, 'd, 'm, 's> Session<'b, 'd, 'm, 's> {
         match supply {
             Supply::Control => self.bus.drive().set_supply(on),
             Supply::Main => self.bus.drive().set_mains(on),
+            Supply::Torque => self.bus.drive().allow_torque(on),
         }
         Ok(String::new())
     }

@@ -144,11 +144,6 @@ impl Pace {
         Ok(Self { speed, start: Instant::now() })
     }
 
-    /// As fast as it can be computed.
-    pub(crate) fn fastest() -> Self {
-        Self { speed: None, start: Instant::now() }
-    }
-
     /// Waits until it is `at`. Time that people think before they ask for the next thing does not count.
     fn keep(&mut self, at: drivewright_runtime::time::Instant) {
         let Some(speed) = self.speed else { return };
