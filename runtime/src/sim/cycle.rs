@@ -43,7 +43,12 @@ impl VirtualDrive<'_, '_> {
         let transition = self.change_state(word, options, cycle);
         self.act_on(transition, word);
         let order = self.device.order(&options);
-        let incident = self.modes.step(&mut self.memory, &self.slots, &self.config, &Surroundings { order, word, cycle });
+        let incident = self.modes.step(
+            &mut self.memory,
+            &self.slots,
+            &self.config,
+            &Surroundings { order, word, cycle },
+        );
         if let Some(incident) = incident {
             self.report(incident, false);
         }
@@ -61,7 +66,9 @@ impl VirtualDrive<'_, '_> {
             self.esm = EsmState::SafeOp;
             self.report(Incident::Watchdog, false);
         }
-        if !self.mains && matches!(self.state(), State::SwitchedOn | State::OperationEnabled | State::QuickStopActive) {
+        if !self.mains
+            && matches!(self.state(), State::SwitchedOn | State::OperationEnabled | State::QuickStopActive)
+        {
             self.report(Incident::Undervoltage, true);
         }
     }
@@ -71,15 +78,25 @@ impl VirtualDrive<'_, '_> {
         let (slots, config) = (&self.slots, &self.config);
         let off = StopOption { reaction: crate::cia402::Reaction::Coast, stays: false };
         StopOptions {
-            quick_stop: StopOption::quick_stop(of(slots.quick_stop_option, config.quick_stop_option)).unwrap_or(off),
+            quick_stop: StopOption::quick_stop(of(slots.quick_stop_option, config.quick_stop_option))
+                .unwrap_or(off),
             shutdown: StopOption::disable(of(slots.shutdown_option, config.shutdown_option)).unwrap_or(off),
             disable: StopOption::disable(of(slots.disable_option, config.disable_option)).unwrap_or(off),
             fault: StopOption::fault(of(slots.fault_option, config.fault_option)).unwrap_or(off),
         }
     }
 
-    fn change_state(&mut self, word: Controlword, options: StopOptions, cycle: Duration) -> Option<Transition> {
-        if self.state() == State::Fault && word.fault_reset() && !self.device.previous().fault_reset() && !self.local {
+    fn change_state(
+        &mut self,
+        word: Controlword,
+        options: StopOptions,
+        cycle: Duration,
+    ) -> Option<Transition> {
+        if self.state() == State::Fault
+            && word.fault_reset()
+            && !self.device.previous().fault_reset()
+            && !self.local
+        {
             self.alarms.reset(self.esm != EsmState::Init);
         }
         let inputs = Inputs {
@@ -172,4 +189,3 @@ impl VirtualDrive<'_, '_> {
         self.warning = warning;
     }
 }
-

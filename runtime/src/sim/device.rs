@@ -69,7 +69,12 @@ impl Device {
     }
 
     /// One cycle. Gives the transition that was made.
-    pub(crate) fn step(&mut self, inputs: &Inputs, cycle: Duration, start_up: Duration) -> Option<Transition> {
+    pub(crate) fn step(
+        &mut self,
+        inputs: &Inputs,
+        cycle: Duration,
+        start_up: Duration,
+    ) -> Option<Transition> {
         self.up = self.up.saturating_add(cycle);
         let previous = core::mem::replace(&mut self.previous, inputs.word);
         let transition = self.transition(inputs, previous, start_up);
@@ -91,24 +96,30 @@ impl Device {
         }
     }
 
-    fn transition(&mut self, inputs: &Inputs, previous: Controlword, start_up: Duration) -> Option<Transition> {
-        let options = Options {
-            quick_stop_stays: inputs.options.quick_stop.stays,
-            fault_persists: inputs.persists,
-        };
+    fn transition(
+        &mut self,
+        inputs: &Inputs,
+        previous: Controlword,
+        start_up: Duration,
+    ) -> Option<Transition> {
+        let options =
+            Options { quick_stop_stays: inputs.options.quick_stop.stays, fault_persists: inputs.persists };
         let of = |state, cause| Transition::of(state, cause, options);
         let fault = inputs.fault && self.state != State::NotReadyToSwitchOn;
         let failed = fault.then(|| of(self.state, Cause::Fault)).flatten();
-        failed.or_else(|| self.done(inputs, start_up).then(|| of(self.state, Cause::Done)).flatten()).or_else(|| {
-            let command = self.command(inputs, previous);
-            let transition = command.and_then(|command| of(self.state, Cause::Command(command)));
-            self.wait(transition, inputs)
-        })
+        failed.or_else(|| self.done(inputs, start_up).then(|| of(self.state, Cause::Done)).flatten()).or_else(
+            || {
+                let command = self.command(inputs, previous);
+                let transition = command.and_then(|command| of(self.state, Cause::Command(command)));
+                self.wait(transition, inputs)
+            },
+        )
     }
 
     /// Whether the drive leaves its state by itself.
     fn done(&self, inputs: &Inputs, start_up: Duration) -> bool {
-        let stopped = |option: StopOption| option.reaction == Reaction::Coast || inputs.standstill || !inputs.power;
+        let stopped =
+            |option: StopOption| option.reaction == Reaction::Coast || inputs.standstill || !inputs.power;
         match self.state {
             State::NotReadyToSwitchOn => self.up >= start_up,
             State::QuickStopActive => stopped(inputs.options.quick_stop),
@@ -120,7 +131,8 @@ impl Device {
     /// The command of this sample. Without power it is to disable the voltage, in the states that need it; the drive
     /// does not obey the controlword while it is operated locally.
     fn command(&self, inputs: &Inputs, previous: Controlword) -> Option<Command> {
-        let needs = matches!(self.state, State::SwitchedOn | State::OperationEnabled | State::QuickStopActive);
+        let needs =
+            matches!(self.state, State::SwitchedOn | State::OperationEnabled | State::QuickStopActive);
         if needs && !inputs.power {
             return Some(Command::DisableVoltage);
         }

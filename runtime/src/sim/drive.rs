@@ -228,7 +228,8 @@ impl<'m, 's> VirtualDrive<'m, 's> {
             local: self.local,
             keeps: self.config.keeps,
         };
-        let written = server::download(&mut self.memory, &situation, address, data).map_err(NoAnswer::Abort)?;
+        let written =
+            server::download(&mut self.memory, &situation, address, data).map_err(NoAnswer::Abort)?;
         self.written(written.slot, written.address);
         Ok(())
     }
@@ -242,7 +243,8 @@ impl<'m, 's> VirtualDrive<'m, 's> {
     /// Alarms that a value raises, and values of which the drive keeps a copy in another form.
     fn written(&mut self, slot: Slot, address: Address) {
         let value = self.memory.used(slot);
-        let raised = rules::broken_by(&self.memory, address, value).find_map(|rule| rules::alarm(self.model(), rule));
+        let raised =
+            rules::broken_by(&self.memory, address, value).find_map(|rule| rules::alarm(self.model(), rule));
         if let Some(alarm) = raised {
             self.raise_alarm(alarm, false);
         }

@@ -65,7 +65,12 @@ impl<'d, 'm, 's> Link<'d, 'm, 's> {
         }
     }
 
-    fn read(&mut self, address: Address, into: &mut [u8], within: Duration) -> Result<usize, Refusal<Infallible>> {
+    fn read(
+        &mut self,
+        address: Address,
+        into: &mut [u8],
+        within: Duration,
+    ) -> Result<usize, Refusal<Infallible>> {
         self.ask(within, |drive| drive.upload(address, into))
     }
 
@@ -91,11 +96,21 @@ impl<'d, 'm, 's> Link<'d, 'm, 's> {
 impl Transport for Link<'_, '_, '_> {
     type Error = Infallible;
 
-    fn upload(&mut self, address: Address, into: &mut [u8], within: Duration) -> Result<usize, Refusal<Infallible>> {
+    fn upload(
+        &mut self,
+        address: Address,
+        into: &mut [u8],
+        within: Duration,
+    ) -> Result<usize, Refusal<Infallible>> {
         self.read(address, into, within)
     }
 
-    fn download(&mut self, address: Address, data: &[u8], within: Duration) -> Result<(), Refusal<Infallible>> {
+    fn download(
+        &mut self,
+        address: Address,
+        data: &[u8],
+        within: Duration,
+    ) -> Result<(), Refusal<Infallible>> {
         self.write(address, data, within)
     }
 

@@ -138,9 +138,8 @@ pub(crate) fn entries<'a, 'm>(
 ) -> impl Iterator<Item = MapEntry> + 'a {
     let index = pdo.address().index();
     let number = memory.at(Address::new(index, 0));
-    let mapped = (1..=number.map_or(0, low8)).map(move |sub| {
-        MapEntry::from_word(memory.at(Address::new(index, sub)).map_or(0, low32))
-    });
+    let mapped = (1..=number.map_or(0, low8))
+        .map(move |sub| MapEntry::from_word(memory.at(Address::new(index, sub)).map_or(0, low32)));
     mapped.chain(pdo.entries().iter().copied().filter(move |_| number.is_none()))
 }
 

@@ -90,7 +90,13 @@ impl<'m> Homing<'m> {
     }
 
     /// What the planner has to do, after what the axis has crossed in the last cycle.
-    pub(super) fn step(&mut self, plant: &Plant, planner: &mut Planner, units: &Units, cycle: Duration) -> Outcome {
+    pub(super) fn step(
+        &mut self,
+        plant: &Plant,
+        planner: &mut Planner,
+        units: &Units,
+        cycle: Duration,
+    ) -> Outcome {
         let Some(mut run) = self.run else {
             planner.stop(units.homing_acceleration);
             return Outcome::None;
@@ -98,7 +104,8 @@ impl<'m> Homing<'m> {
         self.time = self.time.saturating_add(cycle);
         self.tell(&mut run, plant);
         let still = planner.done() && plant.standstill();
-        if still && matches!(run.command(), Command::Brake | Command::Return { .. }) && at_goal(&run, planner) {
+        if still && matches!(run.command(), Command::Brake | Command::Return { .. }) && at_goal(&run, planner)
+        {
             run.standstill(plant.position());
         }
         self.run = Some(run);

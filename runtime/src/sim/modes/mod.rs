@@ -210,7 +210,8 @@ impl<'m> Modes<'m> {
             self.refused = Some(raw);
             return None;
         }
-        if self.homing.runs() && context.memory.model().rules_on(Some(Occasion::WhileHoming)).next().is_some() {
+        if self.homing.runs() && context.memory.model().rules_on(Some(Occasion::WhileHoming)).next().is_some()
+        {
             self.refused = Some(raw);
             return Some(Incident::Mode);
         }
@@ -239,7 +240,9 @@ impl<'m> Modes<'m> {
                 (Setpoint::Off, None)
             }
             Order::Stop(reaction) => (self.brake(reaction, context.cycle), None),
-            Order::Follow if context.word & Controlword::HALT != 0 => (self.brake(halt(context), context.cycle), None),
+            Order::Follow if context.word & Controlword::HALT != 0 => {
+                (self.brake(halt(context), context.cycle), None)
+            }
             Order::Follow => self.follow(context),
         }
     }
@@ -350,7 +353,9 @@ impl<'m> Modes<'m> {
 
     /// Whether the set-point is reached, or with halt, the axis stands.
     fn at_target(&self) -> bool {
-        self.at_demand() && self.planner.point().velocity == 0 && (self.points.current().is_none() || self.planner.done())
+        self.at_demand()
+            && self.planner.point().velocity == 0
+            && (self.points.current().is_none() || self.planner.done())
     }
 
     /// The speed up to which the axis stands: 606Fh, or what the axis says.

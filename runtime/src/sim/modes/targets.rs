@@ -59,7 +59,8 @@ impl<'m> Modes<'m> {
         let levels = self.plant.levels();
         let place = self.plant.position().saturating_sub(self.origin);
         let (min, max) = self.units.limits.unwrap_or((i64::MIN, i64::MAX));
-        (sign < 0 && (levels.negative_limit || place <= min)) || (sign > 0 && (levels.positive_limit || place >= max))
+        (sign < 0 && (levels.negative_limit || place <= min))
+            || (sign > 0 && (levels.positive_limit || place >= max))
     }
 
     fn profile_position(&mut self, context: &Context<'_, 'm, '_>) -> Setpoint {
@@ -93,7 +94,8 @@ impl<'m> Modes<'m> {
     fn wanted_speed(&mut self, context: &Context<'_, 'm, '_>, most: i64) -> i64 {
         let (memory, slots) = (context.memory, context.slots);
         let raw = memory.used(slots.target_velocity);
-        let offset = if self.active == Mode::CYCLIC_VELOCITY { memory.used(slots.velocity_offset) } else { 0 };
+        let offset =
+            if self.active == Mode::CYCLIC_VELOCITY { memory.used(slots.velocity_offset) } else { 0 };
         let wanted = self.units.velocity.inward(raw.saturating_add(offset));
         let speed = wanted.max(-most).min(most);
         let blocked = self.blocked(speed.signum());
@@ -153,7 +155,9 @@ impl<'m> Modes<'m> {
     /// Whether the speed is as wanted, and whether the axis stands: bits 10 and 12, or where the drive has them.
     pub(super) fn speed_bits(&self, context: &Context<'_, 'm, '_>) -> u16 {
         let wanted = match (self.order, context.word & crate::cia402::Controlword::HALT) {
-            (Order::Follow, 0) => self.units.velocity.inward(context.memory.used(context.slots.target_velocity)),
+            (Order::Follow, 0) => {
+                self.units.velocity.inward(context.memory.used(context.slots.target_velocity))
+            }
             _ => 0,
         };
         let speed = self.plant.velocity();
@@ -206,7 +210,8 @@ impl<'m> Modes<'m> {
             return None;
         }
         let number = super::super::number::signed8(memory.used(context.slots.homing_method));
-        let home = self.home.filter(|home| distance(*home, self.plant.position()) <= self.units.position_window);
+        let home =
+            self.home.filter(|home| distance(*home, self.plant.position()) <= self.units.position_window);
         let levels = Levels { at_home: home.is_some(), ..self.plant.levels() };
         Run::start(memory.model().homing(number)?, levels).ok()
     }

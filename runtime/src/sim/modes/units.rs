@@ -128,7 +128,11 @@ impl View<'_, '_, '_> {
         let max_velocity = self.limit(slots.max_profile_velocity).min(max_motor_speed);
         Units {
             position: self.position,
-            velocity: self.velocity_scale(if slots.velocity.exists() { slots.velocity } else { slots.target_velocity }),
+            velocity: self.velocity_scale(if slots.velocity.exists() {
+                slots.velocity
+            } else {
+                slots.target_velocity
+            }),
             torque: self.torque_scale(slots.target_torque),
             revolution: self.revolution,
             profile_velocity: self.speed(slots.profile_velocity).min(max_velocity),
@@ -136,13 +140,12 @@ impl View<'_, '_, '_> {
             max_motor_speed,
             acceleration: self.acceleration(slots.acceleration, i64::MAX),
             deceleration: self.acceleration(slots.deceleration, i64::MAX),
-            quick_stop: self.acceleration(slots.quick_stop_deceleration, self.rpm(self.config.quick_stop_ramp)),
+            quick_stop: self
+                .acceleration(slots.quick_stop_deceleration, self.rpm(self.config.quick_stop_ramp)),
             homing_fast: self.speed(slots.homing_fast).min(max_motor_speed),
             homing_slow: self.speed(slots.homing_slow).min(max_motor_speed),
-            homing_acceleration: self.acceleration(
-                slots.homing_acceleration,
-                self.acceleration(slots.acceleration, i64::MAX),
-            ),
+            homing_acceleration: self
+                .acceleration(slots.homing_acceleration, self.acceleration(slots.acceleration, i64::MAX)),
             home_offset: self.counts(slots.home_offset),
             position_offset: self.counts(slots.position_offset),
             limits: self.limits(),
@@ -188,7 +191,9 @@ impl View<'_, '_, '_> {
 
     fn torque_scale(&self, slot: Slot) -> Scale {
         match self.unit(slot) {
-            (QuantityKind::TorqueRatio | QuantityKind::CurrentRatio, num, den) => Scale::new(num * 1_000, den),
+            (QuantityKind::TorqueRatio | QuantityKind::CurrentRatio, num, den) => {
+                Scale::new(num * 1_000, den)
+            }
             _ => Scale::ONE,
         }
     }
@@ -215,7 +220,9 @@ impl View<'_, '_, '_> {
         let raw = i128::from(self.raw(slot)).max(1);
         let revolution = i128::from(self.revolution);
         let rate = match quantity {
-            QuantityKind::Time => ratio(i128::from(self.config.ramp_speed) * revolution * den, raw * num * 60),
+            QuantityKind::Time => {
+                ratio(i128::from(self.config.ramp_speed) * revolution * den, raw * num * 60)
+            }
             QuantityKind::RampTime => ratio(1_000 * revolution * den, raw * num * 60),
             QuantityKind::Acceleration => ratio(raw * num * revolution, den * 60),
             QuantityKind::Counts => ratio(raw * num, den),
@@ -330,7 +337,11 @@ mod tests {
         assert_eq!(units.position.inward(10_000), 131_072, "10,000 user units a revolution");
         assert_eq!(units.profile_velocity, 131_072 * 256, "a revolution a second");
         assert_eq!(units.max_motor_speed, 50 * 131_072 * 256, "3,000 rpm");
-        assert_eq!(units.acceleration, 2_000 * 131_072 / 60 * 2 + 1, "2,000 rpm in half a second, rounded down");
+        assert_eq!(
+            units.acceleration,
+            2_000 * 131_072 / 60 * 2 + 1,
+            "2,000 rpm in half a second, rounded down"
+        );
         assert_eq!(units.torque_limits, (3_000, 3_000));
         assert_eq!(units.limits, Some((-13_107_200, 13_107_200)));
         assert_eq!(units.following_window, Some(262_144));

@@ -18,7 +18,8 @@ const MODES: [Mode; 7] = [
 ];
 
 /// Bits of the statusword that belong to the mode.
-const OF_MODE: u16 = Statusword::TARGET_REACHED | Statusword::INTERNAL_LIMIT | Statusword::MODE_12 | Statusword::MODE_13;
+const OF_MODE: u16 =
+    Statusword::TARGET_REACHED | Statusword::INTERNAL_LIMIT | Statusword::MODE_12 | Statusword::MODE_13;
 
 /// What the bits of a mode mean.
 #[derive(Clone, Copy, Debug)]
@@ -77,7 +78,8 @@ fn table<'m>(memory: &Memory<'m, '_>, slot: Slot) -> &'m [BitDesc<'m>] {
 fn standing(status: &[BitDesc<'_>], mode: Mode) -> u16 {
     let named = |bit: &&BitDesc<'_>| {
         let name = bit.name();
-        bit.mode() == Some(mode.0) && (starts(name, "speed zero") || starts(name, "zero speed") || starts(name, "speed is 0"))
+        bit.mode() == Some(mode.0)
+            && (starts(name, "speed zero") || starts(name, "zero speed") || starts(name, "speed is 0"))
     };
     let own = status.iter().find(named).map(mask);
     let standard = if mode == Mode::PROFILE_VELOCITY { ModeBits::SPEED_IS_ZERO } else { 0 };
