@@ -214,7 +214,8 @@ impl<'m> Pdo<'m> {
 
     /// Whether what it carries is as long as it may be.
     fn fits(self, memory: &Memory<'m, '_>) -> bool {
-        let bits: usize = self.entries(memory).map(|entry| usize::from(entry.bits())).sum();
+        let bits =
+            self.entries(memory).fold(0_usize, |sum, entry| sum.saturating_add(usize::from(entry.bits())));
         let most = self.about.and_then(PdoDesc::max_bytes);
         most.map_or(true, |most| bits.div_ceil(8) <= usize::from(most))
     }
