@@ -46,7 +46,7 @@ fn method(method: &HomingMethod) -> homing::HomingDesc<'static> {
         .cases
         .iter()
         .map(|case| {
-            let moves: Vec<_> = case.moves.value.0.iter().map(step).collect();
+            let moves: Vec<_> = case.moves.value.0.iter().copied().map(step).collect();
             let mut own = homing::HomingCase::new(levels(&case.when.value), moves.leak());
             if let Some(abort) = &case.abort {
                 own = own.with_abort(levels(&abort.value));
@@ -83,19 +83,19 @@ fn signal(signal: Signal) -> homing::Signal {
     }
 }
 
-fn step(step: &Step) -> homing::Step {
+fn step(step: Step) -> homing::Step {
     match step {
         Step::Move { direction, pace, until } => homing::Step::Move {
-            direction: if *direction == Side::Positive {
+            direction: if direction == Side::Positive {
                 homing::Side::Positive
             } else {
                 homing::Side::Negative
             },
-            pace: if *pace == Pace::Fast { homing::Pace::Fast } else { homing::Pace::Slow },
+            pace: if pace == Pace::Fast { homing::Pace::Fast } else { homing::Pace::Slow },
             until: match until {
-                Event::Switch(of, on) => homing::Event::Switch(signal(*of), *on),
+                Event::Switch(of, on) => homing::Event::Switch(signal(of), on),
                 Event::Index => homing::Event::Index,
-                Event::Torque(on) => homing::Event::Torque(*on),
+                Event::Torque(on) => homing::Event::Torque(on),
                 Event::Stall => homing::Event::Stall,
             },
         },
