@@ -18,11 +18,16 @@ use super::rules;
 /// The shortest cycle.
 const SHORTEST: Duration = Duration::from_nanos(62_500);
 
+/// A span in nanoseconds, of which 64 bits last for 584 years.
+const fn nanos(span: Duration) -> u64 {
+    span.as_secs().saturating_mul(1_000_000_000).saturating_add(span.subsec_nanos() as u64)
+}
+
 impl VirtualDrive<'_, '_> {
     /// Lets time pass: as many cycles as there are in it, the rest is kept for the next call.
     pub fn advance(&mut self, span: Duration) {
-        let cycle = self.config.cycle.max(SHORTEST);
-        self.rest = self.rest.saturating_add(span);
+        let cycle = nanos(self.config.cycle.max(SHORTEST));
+        self.rest = self.rest.saturating_add(nanos(span));
         while let Some(rest) = self.rest.checked_sub(cycle) {
             self.rest = rest;
             self.step();

@@ -56,8 +56,8 @@ pub struct VirtualDrive<'m, 's> {
     pub(super) alarms: Alarms<'m>,
     pub(super) modes: Modes<'m>,
     pub(super) now: Instant,
-    /// Time that is told and makes no whole cycle yet.
-    pub(super) rest: Duration,
+    /// Time that is told and makes no whole cycle yet, in nanoseconds.
+    pub(super) rest: u64,
     pub(super) esm: EsmState,
     pub(super) received: Layout,
     /// Process data carry more than words and targets.
@@ -115,7 +115,7 @@ impl<'m, 's> VirtualDrive<'m, 's> {
             alarms: Alarms::new(model),
             modes: axis,
             now: Instant::START,
-            rest: Duration::ZERO,
+            rest: 0,
             esm: EsmState::PreOp,
             received: Layout::EMPTY,
             parameters: false,

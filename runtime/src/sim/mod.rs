@@ -33,6 +33,7 @@ mod samples;
 mod server;
 mod slots;
 mod store;
+mod words;
 
 pub use alarms::{ActiveAlarm, Emergency, UnknownAlarm, MAX_ALARMS, MAX_MESSAGES};
 pub use assumptions::{Assumption, ASSUMPTIONS};

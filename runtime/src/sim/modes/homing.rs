@@ -133,7 +133,7 @@ impl<'m> Homing<'m> {
         match command {
             Command::Move { direction, pace } => {
                 let speed = if pace == Pace::Fast { units.homing_fast } else { units.homing_slow };
-                let velocity = if direction == Side::Positive { speed } else { -speed };
+                let velocity = if direction == Side::Positive { speed } else { speed.saturating_neg() };
                 planner.run_at(velocity, limits(speed));
             }
             Command::Brake => planner.stop(ramp),
