@@ -47,7 +47,7 @@ impl VirtualDrive<'_, '_> {
         let options = self.options();
         let transition = self.change_state(word, options, cycle);
         self.act_on(transition, word);
-        let order = self.device.order(&options);
+        let order = self.device.order(options);
         let incident = self.modes.step(
             &mut self.memory,
             &self.slots,
@@ -150,7 +150,7 @@ impl VirtualDrive<'_, '_> {
     }
 
     /// Switches the control supply. Off, the drive answers nothing and the axis runs out; on, it starts up with what was
-    /// kept, without alarms, in PreOP.
+    /// kept, without alarms, in `PreOP`.
     pub fn set_supply(&mut self, on: bool) {
         if on && !self.supply {
             self.memory.power_up();
