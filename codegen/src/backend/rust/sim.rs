@@ -16,7 +16,11 @@ pub(super) fn module(lowered: &Lowered<'_>) -> Module {
         doc: format!(
             "The {drive} without hardware: a virtual drive that is this model. Feature `{FEATURE}`."
         ),
-        body: include_str!("res/sim.rs.in").replace("ENTRIES", &entries).replace("DRIVE", &drive),
+        // The drive's own text last: nothing of it is replaced.
+        body: include_str!("res/sim.rs.in")
+            .replace("ENTRIES", &entries)
+            .replace("PACKAGE", &lowered.model.drive.package.replace('-', "_"))
+            .replace("DRIVE", &drive),
         feature: Some(FEATURE),
     }
 }
