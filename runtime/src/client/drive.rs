@@ -144,7 +144,7 @@ macro_rules! drive {
                 self.run(plan)$(.$await)?
             }
 
-            /// Goes to a torque in profile torque mode, and waits until it is reached.
+            /// Goes to a torque in profile torque mode, and waits until it is reached, where the drive shows that.
             pub $($async)? fn torque(
                 &mut self,
                 torque: impl Into<Amount>,

@@ -23,6 +23,8 @@ pub enum Step {
     Goal(Request),
     /// Set the target velocity, raw.
     TargetVelocity(i32),
+    /// Set the target torque, raw.
+    TargetTorque(i16),
     /// Select the mode again that was shown before the operation.
     RestoreMode,
     /// One cycle.
