@@ -112,11 +112,12 @@ impl Operation<'_, '_> {
 
     /// The end of a cycle or of a held step: the axis left operation, let go, or too long.
     fn hold_ends(&mut self, now: Instant, since: Instant) -> Option<Result<(), ClientError>> {
-        let error = self.client.axis.trip().filter(|_| !self.tripped);
-        if let Some(error) = error {
+        let step = self.plan.step(self.at.saturating_sub(1));
+        let trip = self.client.axis.trip().filter(|_| !self.tripped && step != Some(Step::Look));
+        if let Some(error) = trip {
             return Some(Err(self.told(error)));
         }
-        let Some(Step::Hold(within)) = self.plan.step(self.at.saturating_sub(1)) else { return Some(Ok(())) };
+        let Some(Step::Hold(within)) = step else { return Some(Ok(())) };
         let held = self.held.as_mut().is_some_and(|held| held());
         (!held || now.since(since) >= within).then_some(Ok(()))
     }

@@ -27,6 +27,8 @@ pub enum Step {
     TargetTorque(i16),
     /// Select the mode again that was shown before the operation.
     RestoreMode,
+    /// One cycle; an axis that has left operation is no error, for it is what the plan is for.
+    Look,
     /// One cycle.
     Cycle,
     /// Cycles as long as the caller says, and no longer than this.

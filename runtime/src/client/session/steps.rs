@@ -27,7 +27,7 @@ impl Operation<'_, '_> {
             Step::RestoreMode => {
                 self.mode.map_or(Ok(()), |mode| self.begin_goal(Request::SelectMode(mode)))?
             }
-            Step::Cycle | Step::Hold(_) => {
+            Step::Look | Step::Cycle | Step::Hold(_) => {
                 self.since = Some(now);
                 self.stage = Stage::Send(0);
             }
