@@ -25,10 +25,7 @@ use savch_sdv3_e::MODEL;
 const CYCLE: Duration = Duration::from_millis(1);
 
 fn client() -> Client<'static> {
-    // The manual has bit 6 the other way round: 1 is absolute.
-    let mut policy = AxisPolicy::default();
-    policy.relative_bit_is_inverted = true;
-    Client::new(&MODEL, Image::of(&MODEL, 0x1600, 0x1A00).unwrap(), policy)
+    Client::new(&MODEL, Image::of(&MODEL, 0x1600, 0x1A00).unwrap(), AxisPolicy::default())
 }
 
 fn virtual_drive() -> &'static mut VirtualDrive<'static, 'static> {
