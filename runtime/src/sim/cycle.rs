@@ -46,6 +46,7 @@ impl VirtualDrive<'_, '_> {
         let word = Controlword(low16(self.memory.used(self.slots.controlword)));
         let options = self.options();
         let transition = self.change_state(word, options, cycle);
+        self.transition = transition;
         self.act_on(transition, word);
         let order = self.device.order(options);
         let incident = self.modes.step(

@@ -4,7 +4,7 @@ use core::time::Duration;
 
 use crate::abort::AbortCode;
 use crate::address::Address;
-use crate::cia402::{Mode, State, Statusword};
+use crate::cia402::{Mode, State, Statusword, Transition};
 use crate::mapping::Direction;
 use crate::model::{AlarmDesc, DriveModel, EsmState};
 use crate::rule::Occasion;
@@ -65,6 +65,8 @@ pub struct VirtualDrive<'m, 's> {
     pub(super) sent: Layout,
     /// Time since process data came.
     pub(super) silent: Duration,
+    /// The transition of the last cycle.
+    pub(super) transition: Option<Transition>,
     pub(super) supply: bool,
     pub(super) mains: bool,
     pub(super) torque_allowed: bool,
@@ -121,6 +123,7 @@ impl<'m, 's> VirtualDrive<'m, 's> {
             parameters: false,
             sent: Layout::EMPTY,
             silent: Duration::ZERO,
+            transition: None,
             supply: true,
             mains: true,
             torque_allowed: true,
@@ -161,6 +164,11 @@ impl<'m, 's> VirtualDrive<'m, 's> {
     /// The state of the state machine.
     pub const fn state(&self) -> State {
         self.device.state()
+    }
+
+    /// The transition that was made in the last cycle.
+    pub const fn transition(&self) -> Option<Transition> {
+        self.transition
     }
 
     /// The axis: where it is, how fast, what its switches say.
@@ -287,6 +295,7 @@ impl<'m, 's> VirtualDrive<'m, 's> {
     /// From `PreOP` to `SafeOP`: what is exchanged is fixed.
     fn lay_out(&mut self) -> Result<(), BusRefusal> {
         let clock = if self.config.distributed_clocks { Occasion::Dc } else { Occasion::FreeRun };
+        self.synchronize();
         if rules::broken(&self.memory, clock).next().is_some() {
             return Err(BusRefusal::CycleTime);
         }
@@ -294,6 +303,18 @@ impl<'m, 's> VirtualDrive<'m, 's> {
         self.sent = Layout::of(&self.memory, Direction::Tx).map_err(|_| BusRefusal::InputMapping)?;
         self.parameters = !self.received.is_of(&self.slots.set_points());
         Ok(())
+    }
+
+    /// What 1C32h and 1C33h say of the synchronization: distributed clocks with SYNC0 and their cycle, or free run.
+    fn synchronize(&mut self) {
+        let cycle = i64::try_from(self.config.cycle.as_nanos()).unwrap_or(i64::MAX);
+        let (kind, cycle) = if self.config.distributed_clocks { (2, cycle) } else { (0, 0) };
+        for index in [0x1C32, 0x1C33] {
+            for (sub, value) in [(1, kind), (10, cycle)] {
+                let slot = self.memory.slot(Address::new(index, sub));
+                self.memory.put(slot, value);
+            }
+        }
     }
 
     /// A rule may forbid the change in this state: the state changes nevertheless, and there is an alarm.

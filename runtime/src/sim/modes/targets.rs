@@ -194,6 +194,7 @@ impl<'m> Modes<'m> {
 
     /// A start of homing, or its end: bit 4.
     pub(super) fn look_at_homing(&mut self, context: &Context<'_, 'm, '_>) {
+        self.homing.watch(&self.plant);
         let starts = self.homing.look(context.word);
         if self.order != Order::Follow {
             self.homing.interrupt();
