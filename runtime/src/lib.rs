@@ -19,6 +19,8 @@ pub mod object;
 pub mod optional;
 pub mod pdo;
 pub mod quantity;
+#[doc(hidden)]
+pub mod row;
 pub mod scale;
 pub mod value;
 pub mod wire;

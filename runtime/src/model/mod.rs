@@ -20,6 +20,8 @@ pub use alarm::{alarms_by_code, AlarmDesc, AlarmText, Reset};
 pub use detection::{EsmAfter, EsmState, Led, SyncMode};
 pub use identity::Identity;
 pub use integrity::ModelError;
+#[doc(hidden)]
+pub use object::NO_UNIT;
 pub use object::{find_object, Allowed, DefaultValue, Meaning, ObjectDesc, TextDefault, UnitDesc};
 pub use pdo::{PdoDesc, Remap};
 
