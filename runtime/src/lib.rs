@@ -21,6 +21,8 @@ pub mod optional;
 pub mod pdo;
 pub mod procedure;
 pub mod quantity;
+#[doc(hidden)]
+pub mod row;
 pub mod rule;
 pub mod scale;
 pub mod sim;
