@@ -8,16 +8,16 @@ use crate::homing::{HomingStatus, Pace, Side};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Command {
-    /// Move until an [event](Run::event) changes the command; an axis that moves the other way turns.
+    /// Move until an [event](super::Run::event) changes the command; an axis that moves the other way turns.
     Move {
         /// Where to.
         direction: Side,
         /// How fast.
         pace: Pace,
     },
-    /// Brake, then report the [standstill](Run::standstill).
+    /// Brake, then report the [standstill](super::Run::standstill).
     Brake,
-    /// Go back to this place, then report the [standstill](Run::standstill).
+    /// Go back to this place, then report the [standstill](super::Run::standstill).
     Return {
         /// What was latched.
         to: i64,
