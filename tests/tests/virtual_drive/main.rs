@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a test")]
 
 mod alarms;
+mod bus;
 mod homing;
 mod modes;
 mod process_data;
