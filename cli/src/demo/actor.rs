@@ -20,6 +20,9 @@ use drivewright_runtime::value::Value;
 use crate::stage::{POSITION, SPEED, Watched};
 use crate::trace::{Kind, Trace, Unit, mode_name};
 
+/// Between parts, so that they can be told apart in a picture.
+pub(super) const PAUSE: Duration = Duration::from_millis(200);
+
 /// A part of the play that is over.
 pub(super) struct Scene {
     pub(super) title: String,
@@ -110,6 +113,7 @@ impl<'m, 's> Actor<'_, '_, 'm, 's> {
         self.drive.bus().look();
         self.rest(start_up);
         self.operate()?;
+        self.hold(PAUSE)?;
         let network = self.machine().bus_state();
         Ok(format!("the drive has started up; network: {network}"))
     }
@@ -128,6 +132,7 @@ impl<'m, 's> Actor<'_, '_, 'm, 's> {
 
     pub(super) fn enable(&mut self, mode: Mode) -> Result<String, String> {
         self.drive.enable(mode).map_err(said)?;
+        self.hold(PAUSE)?;
         Ok(format!("{} in {}", self.machine().state(), mode_name(mode)))
     }
 

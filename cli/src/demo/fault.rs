@@ -7,7 +7,7 @@ use drivewright_runtime::cia402::Mode;
 use drivewright_runtime::client::fault::{Fault, ReadFault};
 use drivewright_runtime::model::{AlarmDesc, AlarmText, Reset};
 
-use super::actor::{Actor, said};
+use super::actor::{Actor, PAUSE, said};
 use super::profile::TARGET_VELOCITY;
 use crate::stage::named;
 
@@ -52,13 +52,11 @@ fn alarm<'m>(actor: &mut Actor<'_, '_, 'm, '_>, live: &Live<'_>) -> Option<&'m A
 /// What the client says of it, with the texts of the manual's table and where they are.
 fn explain(actor: &mut Actor<'_, '_, '_, '_>, live: &Live<'_>) -> Result<(), String> {
     let model = live.model();
-    let Ok(evidence) = actor.drive.call(&mut ReadFault::new(&model));
-    let fault = Fault::new(&model, live.alarm_texts(), evidence.map_err(|error| error.to_string())?);
+    let Ok(evidence) = actor.drive.call(&mut ReadFault::new(model));
+    let fault = Fault::new(model, live.alarm_texts(), evidence.map_err(|error| error.to_string())?);
     let mut told = fault.to_string();
     let sources = fault.alarms().filter_map(|alarm| Some((alarm.display(), live.alarm_source(alarm)?)));
-    for (display, source) in sources {
-        told += &format!("\n  source : {display}: {source}");
-    }
+    told.extend(sources.map(|(display, source)| format!("\n  source : {display}: {source}")));
     actor.fault = told;
     Ok(())
 }
@@ -72,6 +70,7 @@ pub(super) fn reset(actor: &mut Actor<'_, '_, '_, '_>) -> Result<String, String>
         // The first cycle after the silence tells the client that the axis is not in operation any more.
         let _ = actor.drive.cycle();
         actor.drive.reset_fault().map_err(said)?;
+        actor.hold(PAUSE)?;
         return Ok(format!("by a rising edge of bit 7; {}", actor.machine().state()));
     }
     actor.machine().power_cycle();

@@ -2,7 +2,7 @@
 
 use drivewright_runtime::Address;
 use drivewright_runtime::client::home::Homing;
-use drivewright_runtime::homing::HomingStatus;
+use drivewright_runtime::homing::{HomingDesc, HomingStatus};
 use drivewright_runtime::model::DriveModel;
 
 use super::actor::{Actor, said};
@@ -16,13 +16,11 @@ const OFFSET: Address = Address::new(0x607C, 0);
 const PREFERRED: &[i8] = &[17, 18, 1, 2, 19, 20, 21, 22, 33, 34, 35, 37];
 
 pub(super) fn scene(actor: &mut Actor<'_, '_, '_, '_>) -> Result<(), String> {
-    match method(actor.model()) {
-        Some(method) => actor.scene(&format!("home by method {method}"), |actor| home(actor, method)),
-        None => {
-            actor.skip("home", "the profile describes no homing method");
-            Ok(())
-        }
+    if let Some(method) = method(actor.model()) {
+        return actor.scene(&format!("home by method {method}"), |actor| home(actor, method));
     }
+    actor.skip("home", "the profile describes no homing method");
+    Ok(())
 }
 
 fn method(model: &DriveModel<'_>) -> Option<i8> {
@@ -30,7 +28,7 @@ fn method(model: &DriveModel<'_>) -> Option<i8> {
         let found = model.homing(number).filter(|m| m.status() == HomingStatus::Supported);
         found.is_some_and(|method| !method.cases().is_empty())
     };
-    let others = model.homing_methods().iter().map(|method| method.number());
+    let others = model.homing_methods().iter().map(HomingDesc::number);
     PREFERRED.iter().copied().chain(others).find(|number| runs(*number))
 }
 

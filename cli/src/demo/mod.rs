@@ -8,8 +8,6 @@ mod home;
 mod profile;
 mod told;
 
-use std::time::Duration;
-
 use clap::Args;
 use drivewright_codegen::live::Live;
 use drivewright_runtime::cia402::Mode;
@@ -21,7 +19,7 @@ use crate::drives::{Found, find};
 use crate::output::{Shape, tell, working};
 use crate::stage::{self, Pace, Recorder, TraceFiles, Watched, image};
 use crate::trace::Trace;
-use actor::{Actor, Scene};
+use actor::{Actor, PAUSE, Scene};
 
 /// Examples.
 pub(crate) const HELP: &str = "\
@@ -109,7 +107,7 @@ fn play(
     let model = drive.model();
     let (rx, tx) = (image::mapped(drive, Direction::Rx), image::mapped(drive, Direction::Tx));
     let title = stage::title(found);
-    let recorder = Recorder::new(model, title.clone(), speed);
+    let recorder = Recorder::new(model, format!("{title}: from power-on to a fault and back"), speed);
     let bus = Watched::new(drive, config.cycle, recorder);
     let mut actor = Actor::new(model, bus, (&rx, &tx))?;
     let failed = act(&mut actor, live).err();
@@ -127,7 +125,7 @@ fn act(actor: &mut Actor<'_, '_, '_, '_>, live: &Live<'_>) -> Result<(), String>
     } else {
         modes.first().copied().unwrap_or(Mode::NONE)
     };
-    actor.scene("switched on", |actor| actor.start())?;
+    actor.scene("switched on", Actor::start)?;
     actor.scene("enable", |actor| actor.enable(first))?;
     if first == Mode::HOMING {
         home::scene(actor)?;
@@ -150,6 +148,6 @@ fn act(actor: &mut Actor<'_, '_, '_, '_>, live: &Live<'_>) -> Result<(), String>
         actor.scene("reset", fault::reset)?;
         actor.scene("enable again", |actor| actor.enable(first))?;
     }
-    actor.scene("disable", |actor| actor.disable())?;
-    actor.hold(Duration::from_millis(150))
+    actor.scene("disable", Actor::disable)?;
+    actor.hold(PAUSE)
 }

@@ -35,11 +35,11 @@ fn as_text(played: &Played) -> String {
         out.extend([&escape::visible(&played.fault), "\n\n"]);
     }
     let width = played.scenes.iter().map(|scene| scene.title.chars().count()).max().unwrap_or(0);
-    for scene in &played.scenes {
+    out.extend(played.scenes.iter().map(|scene| {
         let (from, to) = scene.span;
         let took = format!("{} ms", (to - from) / 1000);
-        out += &format!("{:<width$}  {took:>8}  {}\n", scene.title, escape::visible(&scene.told));
-    }
+        format!("{:<width$}  {took:>8}  {}\n", scene.title, escape::visible(&scene.told))
+    }));
     out
 }
 

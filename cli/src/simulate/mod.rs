@@ -115,7 +115,7 @@ fn script(place: Option<&Path>) -> Result<Vec<Line>, End> {
             Ok(None) => {}
             Err(refused) => {
                 wrong += 1;
-                tell!("error: {name}, line {number}: {}; write it like this: {}", refused.what, refused.help);
+                tell!("error: {name}, line {number}: {}; {}", refused.what, refused.help);
             }
         }
     }
@@ -161,7 +161,7 @@ fn converse(session: &mut Session<'_, '_, '_, '_>, shape: Shape) -> End {
                 let _ = say(session, None, line.trim(), &said, shape);
             }
             Ok(None) => {}
-            Err(refused) => tell!("{}; write it like this: {}", refused.what, refused.help),
+            Err(refused) => tell!("{}; {}", refused.what, refused.help),
         }
     }
 }

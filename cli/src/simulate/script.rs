@@ -117,7 +117,7 @@ pub(super) enum Supply {
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Refused {
     pub(super) what: String,
-    pub(super) help: &'static str,
+    pub(super) help: String,
 }
 
 /// A command, how it is written, and what it does.
@@ -232,10 +232,12 @@ pub(super) fn command(line: &str) -> Result<Option<Command>, Refused> {
     let Some(name) = words.next() else { return Ok(None) };
     let Some(form) = FORMS.iter().find(|form| form.name == name) else {
         let what = format!("there is no command `{}`", name.escape_debug());
-        return Err(Refused { what, help: "`help` lists the commands" });
+        return Err(Refused { what, help: "`help` lists the commands".to_owned() });
     };
     let words: Vec<&str> = words.collect();
-    (form.read)(&words).map(Some).map_err(|what| Refused { what, help: form.usage })
+    (form.read)(&words)
+        .map(Some)
+        .map_err(|what| Refused { what, help: format!("write it like this: {}", form.usage) })
 }
 
 /// What can be said, for `help`.

@@ -4,12 +4,12 @@ use std::time::Duration;
 
 use drivewright_runtime::client::object::{Content, Shown};
 use drivewright_runtime::mapping::Direction;
-use drivewright_runtime::model::{AlarmDesc, DriveModel, EsmState};
+use drivewright_runtime::model::{AlarmDesc, DriveModel, EsmState, ObjectDesc};
 use drivewright_runtime::transport::{Refusal, Transport};
 use drivewright_runtime::{AbortCode, Address};
 
 use super::script::{Bus, Command, Condition, Supply, help};
-use super::state;
+use super::{faults, state};
 use crate::stage::{Watched, assumptions, image};
 use crate::trace::{Kind, millis};
 
@@ -56,37 +56,35 @@ impl<'b, 'd, 'm, 's> Session<'b, 'd, 'm, 's> {
             Command::Write(at, value) => self.write(*at, *value),
             Command::Send(at, bytes) => self.send(*at, bytes),
             Command::Exchange(values) => self.exchange(values),
-            Command::ExchangeOff => {
-                self.outputs = None;
-                Ok(String::new())
-            }
-            Command::Run(span) => {
-                self.run(*span);
-                Ok(String::new())
-            }
             Command::Expect(condition) => self.expect(condition),
             Command::Until(condition, within) => self.until(condition, *within),
             Command::Bus(wanted) => self.request(*wanted),
             Command::Refused(code, command) => self.refused(*code, command),
             Command::Raise(display, number) => self.raise(display, *number),
             Command::Clear(display, number) => self.clear(display, *number),
-            Command::Fault(kind, number) => {
-                super::faults::disturb(self.bus, kind, *number).map_err(Failed::Not)
-            }
-            Command::Power(supply, on) => self.power(*supply, *on),
-            Command::Load(percent) => {
-                self.bus.drive().axis_mut().set_load(percent * 10);
+            Command::Fault(kind, number) => faults::disturb(self.bus, kind, *number).map_err(Failed::Not),
+            Command::State => Ok(state::told(self.bus.drive())),
+            Command::Assumptions => Ok(assumptions().trim_end().to_owned()),
+            Command::Help => Ok(help().trim_end().to_owned()),
+            quiet => {
+                self.quietly(quiet);
                 Ok(String::new())
             }
-            Command::State => Ok(state::told(self.bus.drive())),
+        }
+    }
+
+    /// Executes one of the commands that have nothing to say.
+    fn quietly(&mut self, command: &Command) {
+        match command {
+            Command::ExchangeOff => self.outputs = None,
+            Command::Run(span) => self.run(*span),
+            Command::Power(supply, on) => self.power(*supply, *on),
+            Command::Load(percent) => self.bus.drive().axis_mut().set_load(percent * 10),
             Command::Note(text) => {
                 let now = self.bus.now();
                 self.bus.recorder.trace.note(now, Kind::Note, text.clone());
-                Ok(String::new())
             }
-            Command::Assumptions => Ok(assumptions().trim_end().to_owned()),
-            Command::Help => Ok(help().trim_end().to_owned()),
-            Command::Quit => Ok(String::new()),
+            _ => {}
         }
     }
 
@@ -120,7 +118,7 @@ impl<'b, 'd, 'm, 's> Session<'b, 'd, 'm, 's> {
 
     fn write(&mut self, at: Address, value: i128) -> Said {
         let mut bytes = [0; 8];
-        let length = match self.model.object(at).map(|object| object.data_type()) {
+        let length = match self.model.object(at).map(ObjectDesc::data_type) {
             Some(data_type) => data_type.encode_int(value, &mut bytes).map_err(|_| {
                 let of = data_type.name().unwrap_or("its type");
                 Failed::Not(format!("{value} is no value of {of}, the type of {at}; `send` sends any bytes"))
@@ -281,7 +279,7 @@ impl<'b, 'd, 'm, 's> Session<'b, 'd, 'm, 's> {
         match meant.as_slice() {
             [one] => Ok(one),
             [] => {
-                let known: Vec<&str> = self.model.alarms().iter().map(|alarm| alarm.display()).collect();
+                let known: Vec<&str> = self.model.alarms().iter().map(AlarmDesc::display).collect();
                 Err(Failed::Not(format!(
                     "there is no alarm `{}`; known: {}",
                     display.escape_debug(),
@@ -299,13 +297,12 @@ impl<'b, 'd, 'm, 's> Session<'b, 'd, 'm, 's> {
         }
     }
 
-    fn power(&mut self, supply: Supply, on: bool) -> Said {
+    fn power(&mut self, supply: Supply, on: bool) {
         match supply {
             Supply::Control => self.bus.drive().set_supply(on),
             Supply::Main => self.bus.drive().set_mains(on),
             Supply::Torque => self.bus.drive().allow_torque(on),
         }
-        Ok(String::new())
     }
 
     /// The time on the clock of the drive, in words.

@@ -9,13 +9,10 @@ use drivewright_runtime::sim::VirtualDrive;
 pub(crate) fn mapped(drive: &VirtualDrive<'_, '_>, direction: Direction) -> Vec<MapEntry> {
     let assignment = if direction == Direction::Rx { 0x1C12 } else { 0x1C13 };
     let number = |index, sub| drive.value(Address::new(index, sub)).and_then(|n| u32::try_from(n).ok());
-    let pdos: Vec<u16> = match number(assignment, 0) {
-        Some(n) => (1..=sub(n)).filter_map(|n| number(assignment, n)?.try_into().ok()).collect(),
-        None => {
-            let first = drive.model().pdos().iter().find(|pdo| pdo.direction() == direction);
-            first.iter().map(|pdo| pdo.address().index()).collect()
-        }
-    };
+    let first = drive.model().pdos().iter().find(|pdo| pdo.direction() == direction);
+    let first = || first.map(|pdo| pdo.address().index()).into_iter().collect();
+    let listed = |n| (1..=sub(n)).filter_map(|n| number(assignment, n)?.try_into().ok()).collect();
+    let pdos: Vec<u16> = number(assignment, 0).map_or_else(first, listed);
     let entries = |pdo: u16| -> Vec<MapEntry> {
         match number(pdo, 0) {
             Some(n) => (1..=sub(n)).filter_map(|n| number(pdo, n)).map(MapEntry::from_word).collect(),

@@ -53,8 +53,8 @@ pub(crate) fn with<T>(
     let arena = Arena::default();
     let live = live::tables(profile, &arena);
     let model = live.model();
-    let mut memory = vec![0; cells(&model)];
-    match VirtualDrive::new(&model, &mut memory, config) {
+    let mut memory = vec![0; cells(model)];
+    match VirtualDrive::new(model, &mut memory, config) {
         Ok(mut drive) => Ok(run(&live, &mut drive)),
         Err(error) => {
             tell!("error: no virtual drive can be made of {}: {error}", found.id);

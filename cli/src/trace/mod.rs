@@ -139,7 +139,7 @@ impl Trace {
                 changes.push(Change::Event(event));
             }
             let seen = |s: &Sample| (s.status, s.mode, s.control);
-            if before.map(|b| seen(b)) != Some(seen(sample)) {
+            if before.map(seen) != Some(seen(sample)) {
                 changes.push(Change::Sample { before, now: sample });
             }
             before = Some(sample);

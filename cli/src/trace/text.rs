@@ -88,7 +88,8 @@ fn line(row: &Row, widths: &[usize]) -> String {
     let mut out = String::new();
     for (n, (cell, width)) in row.cells.iter().zip(widths).enumerate() {
         let (left, width) = ((1..=2).contains(&n), *width);
-        out += &if left { format!("{cell:<width$}  ") } else { format!("{cell:>width$}  ") };
+        let cell = if left { format!("{cell:<width$}  ") } else { format!("{cell:>width$}  ") };
+        out.push_str(&cell);
     }
     out += &row.last;
     format!("{}\n", out.trim_end())

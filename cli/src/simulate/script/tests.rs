@@ -8,7 +8,7 @@ fn of(line: &str) -> Command {
 
 fn wrong(line: &str) -> String {
     let refused = command(line).unwrap_err();
-    format!("{}: {}", refused.what, refused.help)
+    format!("{}: {}", refused.what, refused.help.trim_start_matches("write it like this: "))
 }
 
 fn at(index: u16, sub: u8) -> Address {

@@ -41,7 +41,7 @@ impl TimeAxis {
             canvas.line("grid", (x, top), (x, bottom));
             canvas.text_middle(x, bottom + 16.0, "tick", &number(tick * factor, step * factor));
         }
-        canvas.text_middle((LEFT + RIGHT) / 2.0, bottom + 34.0, "label", &format!("time [{unit}]"));
+        canvas.text_middle(f64::midpoint(LEFT, RIGHT), bottom + 34.0, "label", &format!("time [{unit}]"));
     }
 }
 
@@ -63,9 +63,10 @@ impl ValueAxis {
         let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), v| (low.min(v), high.max(v)));
         let (low, high) = if low > high { (0.0, 0.0) } else { (low, high) };
         // A flat line needs a height; 0 belongs to it where the values are not far from it.
-        let low = if low > 0.0 && low < (high - low) * 2.0 || low == high { low.min(0.0) } else { low };
-        let high = if high < 0.0 && -high < (high - low) * 2.0 || low == high { high.max(0.0) } else { high };
-        let (low, high) = if low == high { (low - 1.0, high + 1.0) } else { (low, high) };
+        let (near, flat) = ((high - low) * 2.0, high <= low);
+        let low = if low < near || flat { low.min(0.0) } else { low };
+        let high = if -high < near || flat { high.max(0.0) } else { high };
+        let (low, high) = if high <= low { (low - 1.0, high + 1.0) } else { (low, high) };
         let step = round_step((high - low) / 4.0);
         Self { low: (low / step).floor() * step, high: (high / step).ceil() * step, step }
     }
@@ -146,7 +147,7 @@ mod tests {
 
     #[test]
     fn numbers_have_the_decimals_of_their_step() {
-        assert_eq!(number(0.30000000000000004, 0.1), "0.3");
+        assert_eq!(number(0.1 + 0.2, 0.1), "0.3");
         assert_eq!(number(-0.0, 0.5), "0.0");
         assert_eq!(number(1_250_000.0, 50_000.0), "1\u{2009}250\u{2009}000");
         assert_eq!(number(-2500.0, 500.0), "\u{2212}2500");

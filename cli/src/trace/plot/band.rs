@@ -58,7 +58,7 @@ fn named<T>(canvas: &mut Canvas, part: &Stretch<T>, y: f64, class: &str, name: &
     let width = (part.to - part.from).max(1.0);
     canvas.rect(class, (part.from, y), (width, BAND), name);
     let fits = |text: &str| text_width(text, 12.0) + 6.0 < width;
-    let middle = (part.from + part.to) / 2.0;
+    let middle = f64::midpoint(part.from, part.to);
     if let Some(text) = [name.to_owned(), initials(name)].into_iter().find(|text| fits(text)) {
         canvas.text_middle(middle, y + 17.0, "band", &text);
     }
@@ -94,7 +94,7 @@ pub(super) fn tracks(canvas: &mut Canvas, trace: &Trace, time: &TimeAxis, mut y:
             }
             let name = trace.bits.name(*bit, plain, mode);
             if set && name != *plain && text_width(name, 10.0) + 4.0 < width {
-                canvas.text_middle((part.from + part.to) / 2.0, y + 11.5, "small", name);
+                canvas.text_middle(f64::midpoint(part.from, part.to), y + 11.5, "small", name);
             }
         }
         canvas.path("bit", &points);

@@ -59,8 +59,10 @@ const COLUMN: f64 = 2.0;
 /// long. Of points on one level only the first and the last.
 fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut kept: Vec<(f64, f64)> = Vec::new();
-    for column in points.chunk_by(|a, b| (a.0 / COLUMN).floor() == (b.0 / COLUMN).floor()) {
-        extremes(column).into_iter().for_each(|n| add(&mut kept, column[n]));
+    for column in points.chunk_by(|a, b| whole(a.0 / COLUMN) == whole(b.0 / COLUMN)) {
+        for n in extremes(column) {
+            add(&mut kept, column[n]);
+        }
     }
     kept
 }
@@ -76,9 +78,14 @@ fn extremes(column: &[(f64, f64)]) -> Vec<usize> {
     places
 }
 
+#[allow(clippy::cast_possible_truncation, reason = "a place in a picture")]
+fn whole(place: f64) -> i64 {
+    place.floor() as i64
+}
+
 /// Adds a point; of three on one level the middle one goes.
 fn add(kept: &mut Vec<(f64, f64)>, point: (f64, f64)) {
-    let level = |y: f64| (y * 10.0).round();
+    let level = |y: f64| whole(y * 10.0);
     if let [.., a, b] = kept.as_slice()
         && level(a.1) == level(b.1)
         && level(b.1) == level(point.1)

@@ -77,9 +77,13 @@ pub(super) fn sheet() -> String {
         // Writing to a String cannot fail.
         let _ = writeln!(out, "{} {{ {}: {colour}; }}", row.0, row.1);
     };
-    COLOURS.iter().for_each(|row| rule(&mut out, row, row.2));
+    for row in COLOURS {
+        rule(&mut out, row, row.2);
+    }
     out.push_str("@media screen and (prefers-color-scheme: dark) {\n");
-    COLOURS.iter().for_each(|row| rule(&mut out, row, row.3));
+    for row in COLOURS {
+        rule(&mut out, row, row.3);
+    }
     out.push_str("}\n");
     out
 }
