@@ -18,11 +18,16 @@ use super::rules;
 /// The shortest cycle.
 const SHORTEST: Duration = Duration::from_nanos(62_500);
 
+/// A span in nanoseconds, of which 64 bits last for 584 years.
+const fn nanos(span: Duration) -> u64 {
+    span.as_secs().saturating_mul(1_000_000_000).saturating_add(span.subsec_nanos() as u64)
+}
+
 impl VirtualDrive<'_, '_> {
     /// Lets time pass: as many cycles as there are in it, the rest is kept for the next call.
     pub fn advance(&mut self, span: Duration) {
-        let cycle = self.config.cycle.max(SHORTEST);
-        self.rest = self.rest.saturating_add(span);
+        let cycle = nanos(self.config.cycle.max(SHORTEST));
+        self.rest = self.rest.saturating_add(nanos(span));
         while let Some(rest) = self.rest.checked_sub(cycle) {
             self.rest = rest;
             self.step();
@@ -41,8 +46,9 @@ impl VirtualDrive<'_, '_> {
         let word = Controlword(low16(self.memory.used(self.slots.controlword)));
         let options = self.options();
         let transition = self.change_state(word, options, cycle);
+        self.transition = transition;
         self.act_on(transition, word);
-        let order = self.device.order(&options);
+        let order = self.device.order(options);
         let incident = self.modes.step(
             &mut self.memory,
             &self.slots,
@@ -145,7 +151,7 @@ impl VirtualDrive<'_, '_> {
     }
 
     /// Switches the control supply. Off, the drive answers nothing and the axis runs out; on, it starts up with what was
-    /// kept, without alarms, in PreOP.
+    /// kept, without alarms, in `PreOP`.
     pub fn set_supply(&mut self, on: bool) {
         if on && !self.supply {
             self.memory.power_up();

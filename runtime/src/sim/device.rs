@@ -17,6 +17,7 @@ pub(crate) enum Order {
 
 /// What the state machine looks at in a cycle.
 #[derive(Clone, Copy, Debug)]
+#[allow(clippy::struct_excessive_bools)] // Each is a line of its own at the drive.
 pub(crate) struct Inputs {
     pub(crate) word: Controlword,
     pub(crate) options: StopOptions,
@@ -86,7 +87,7 @@ impl Device {
     }
 
     /// What the power stage does in the present state.
-    pub(crate) fn order(&self, options: &StopOptions) -> Order {
+    pub(crate) fn order(&self, options: StopOptions) -> Order {
         match (self.state, self.leaving) {
             (State::OperationEnabled, Some((_, reaction))) => stop(reaction),
             (State::OperationEnabled, None) => Order::Follow,
@@ -213,10 +214,10 @@ mod tests {
         let mut device = enabled();
         let moving = |word| Inputs { standstill: false, ..inputs(word) };
         assert_eq!(device.step(&moving(7), MS, MS), None);
-        assert_eq!(device.order(&moving(7).options), Order::Stop(Reaction::SlowDownRamp));
+        assert_eq!(device.order(moving(7).options), Order::Stop(Reaction::SlowDownRamp));
         assert_eq!(device.step(&moving(7), MS, MS), None);
         assert_eq!(device.step(&moving(15), MS, MS), None);
-        assert_eq!(device.order(&moving(15).options), Order::Follow);
+        assert_eq!(device.order(moving(15).options), Order::Follow);
         assert_eq!(device.state(), OperationEnabled);
     }
 

@@ -4,7 +4,7 @@ use core::time::Duration;
 
 use crate::abort::AbortCode;
 use crate::address::Address;
-use crate::cia402::{Mode, State, Statusword};
+use crate::cia402::{Mode, State, Statusword, Transition};
 use crate::mapping::Direction;
 use crate::model::{AlarmDesc, DriveModel, EsmState};
 use crate::rule::Occasion;
@@ -47,6 +47,7 @@ use super::{assumptions, rules};
 /// assert_eq!(drive.statusword().0, 0x0231);
 /// ```
 #[derive(Debug)]
+#[allow(clippy::struct_excessive_bools)] // Each is a line of its own at the drive.
 pub struct VirtualDrive<'m, 's> {
     pub(super) memory: Memory<'m, 's>,
     pub(super) slots: Slots,
@@ -55,8 +56,8 @@ pub struct VirtualDrive<'m, 's> {
     pub(super) alarms: Alarms<'m>,
     pub(super) modes: Modes<'m>,
     pub(super) now: Instant,
-    /// Time that is told and makes no whole cycle yet.
-    pub(super) rest: Duration,
+    /// Time that is told and makes no whole cycle yet, in nanoseconds.
+    pub(super) rest: u64,
     pub(super) esm: EsmState,
     pub(super) received: Layout,
     /// Process data carry more than words and targets.
@@ -64,6 +65,8 @@ pub struct VirtualDrive<'m, 's> {
     pub(super) sent: Layout,
     /// Time since process data came.
     pub(super) silent: Duration,
+    /// The transition of the last cycle.
+    pub(super) transition: Option<Transition>,
     pub(super) supply: bool,
     pub(super) mains: bool,
     pub(super) torque_allowed: bool,
@@ -98,28 +101,29 @@ impl core::fmt::Display for NoAnswer {
 impl core::error::Error for NoAnswer {}
 
 impl<'m, 's> VirtualDrive<'m, 's> {
-    /// A drive whose supplies are switched on at this moment, in PreOP: the master has set up the mailbox.
+    /// A drive whose supplies are switched on at this moment, in `PreOP`: the master has set up the mailbox.
     ///
     /// # Errors
     /// `memory` has fewer cells than [`cells`](super::cells) says.
     pub fn new(model: &'m DriveModel<'m>, memory: &'s mut [i64], config: Config) -> Result<Self, SpaceError> {
         let memory = Memory::new(model, memory)?;
         let slots = Slots::of(&memory);
-        let modes = Modes::new(&memory, &slots, &config, Plant::default());
+        let axis = Modes::new(&memory, &slots, &config, Plant::default());
         let mut drive = Self {
             memory,
             slots,
             config,
             device: Device::new(),
             alarms: Alarms::new(model),
-            modes,
+            modes: axis,
             now: Instant::START,
-            rest: Duration::ZERO,
+            rest: 0,
             esm: EsmState::PreOp,
             received: Layout::EMPTY,
             parameters: false,
             sent: Layout::EMPTY,
             silent: Duration::ZERO,
+            transition: None,
             supply: true,
             mains: true,
             torque_allowed: true,
@@ -162,6 +166,11 @@ impl<'m, 's> VirtualDrive<'m, 's> {
         self.device.state()
     }
 
+    /// The transition that was made in the last cycle.
+    pub const fn transition(&self) -> Option<Transition> {
+        self.transition
+    }
+
     /// The axis: where it is, how fast, what its switches say.
     pub const fn axis(&self) -> &Plant {
         self.modes.plant()
@@ -170,6 +179,11 @@ impl<'m, 's> VirtualDrive<'m, 's> {
     /// The axis, to put a load on it.
     pub fn axis_mut(&mut self) -> &mut Plant {
         self.modes.plant_mut()
+    }
+
+    /// Sets the input of a touch probe: 0 is the first, 1 the second; there are no others.
+    pub fn set_probe(&mut self, probe: usize, level: bool) {
+        self.modes.set_probe(probe, level);
     }
 
     /// The count of the axis at which the position is 0.
@@ -278,9 +292,10 @@ impl<'m, 's> VirtualDrive<'m, 's> {
         Ok(())
     }
 
-    /// From PreOP to SafeOP: what is exchanged is fixed.
+    /// From `PreOP` to `SafeOP`: what is exchanged is fixed.
     fn lay_out(&mut self) -> Result<(), BusRefusal> {
         let clock = if self.config.distributed_clocks { Occasion::Dc } else { Occasion::FreeRun };
+        self.synchronize();
         if rules::broken(&self.memory, clock).next().is_some() {
             return Err(BusRefusal::CycleTime);
         }
@@ -288,6 +303,18 @@ impl<'m, 's> VirtualDrive<'m, 's> {
         self.sent = Layout::of(&self.memory, Direction::Tx).map_err(|_| BusRefusal::InputMapping)?;
         self.parameters = !self.received.is_of(&self.slots.set_points());
         Ok(())
+    }
+
+    /// What 1C32h and 1C33h say of the synchronization: distributed clocks with SYNC0 and their cycle, or free run.
+    fn synchronize(&mut self) {
+        let cycle = i64::try_from(self.config.cycle.as_nanos()).unwrap_or(i64::MAX);
+        let (kind, cycle) = if self.config.distributed_clocks { (2, cycle) } else { (0, 0) };
+        for index in [0x1C32, 0x1C33] {
+            for (sub, value) in [(1, kind), (10, cycle)] {
+                let slot = self.memory.slot(Address::new(index, sub));
+                self.memory.put(slot, value);
+            }
+        }
     }
 
     /// A rule may forbid the change in this state: the state changes nevertheless, and there is an alarm.
@@ -298,7 +325,7 @@ impl<'m, 's> VirtualDrive<'m, 's> {
         }
     }
 
-    /// Bytes of the process data that the drive receives and sends: 0 before SafeOP.
+    /// Bytes of the process data that the drive receives and sends: 0 before `SafeOP`.
     pub fn process_data_bytes(&self) -> (usize, usize) {
         match self.esm {
             EsmState::SafeOp | EsmState::Op => (self.received.bytes(), self.sent.bytes()),
@@ -317,7 +344,7 @@ impl<'m, 's> VirtualDrive<'m, 's> {
         taken
     }
 
-    /// Gives process data, in SafeOP and OP; the number of bytes, or `None` where there are none or there is no room.
+    /// Gives process data, in `SafeOP` and `OP`; the number of bytes, or `None` where there are none or there is no room.
     pub fn send(&self, into: &mut [u8]) -> Option<usize> {
         let sends = self.supply && matches!(self.esm, EsmState::SafeOp | EsmState::Op);
         let length = self.sent.bytes();

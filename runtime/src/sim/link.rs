@@ -87,6 +87,16 @@ impl<'d, 'm, 's> Link<'d, 'm, 's> {
         }
     }
 
+    /// A cycle in which nothing arrives.
+    pub(super) fn pass_cycle(&mut self) {
+        self.drive.advance(self.cycle);
+    }
+
+    /// Where the statusword is in what the drive sends.
+    pub(super) fn statusword_byte(&self) -> Option<usize> {
+        self.drive.sent.byte_of(self.drive.slots.statusword)
+    }
+
     fn pass(&mut self, until: Instant) {
         let span = until.since(self.drive.now());
         self.drive.advance(span);

@@ -4,7 +4,7 @@
 //! Its values lie in memory of the caller, its time is what it is told. What a manual does not say is a setting of
 //! [`Config`], listed with its reason in [`ASSUMPTIONS`]: nothing here is said of the maker's drive.
 //!
-//! [`Link`] joins it with a client in one program.
+//! [`Link`] joins it with a client in one program; [`Disturbed`] lies between them and does what real wires do.
 
 mod aborts;
 mod alarms;
@@ -14,6 +14,9 @@ mod cycle;
 mod device;
 mod drive;
 mod events;
+mod faults;
+#[cfg(test)]
+mod lcg;
 mod link;
 mod memory;
 mod modes;
@@ -30,12 +33,16 @@ mod samples;
 mod server;
 mod slots;
 mod store;
+#[cfg(test)]
+mod tests;
+mod words;
 
 pub use alarms::{ActiveAlarm, Emergency, UnknownAlarm, MAX_ALARMS, MAX_MESSAGES};
 pub use assumptions::{Assumption, ASSUMPTIONS};
 pub use config::{Config, HomeOffset, Keeps};
 pub use drive::{NoAnswer, VirtualDrive};
 pub use events::Incident;
+pub use faults::{Disturbance, Disturbed, MAX_DISTURBANCES};
 pub use link::Link;
 pub use memory::{cells, SpaceError};
 pub use network::BusRefusal;

@@ -54,32 +54,32 @@ impl Motion {
     }
 
     /// The speed after an acceleration in counts per square second for a time.
-    pub(super) const fn faster(&mut self, acceleration: i64, ticks: i64) {
+    pub(super) fn faster(&mut self, acceleration: i64, ticks: i64) {
         let gain = acceleration * SPEED * ticks + self.rest;
         self.speed = clamp(self.speed + gain.div_euclid(TICKS), -TOP_SPEED * SPEED, TOP_SPEED * SPEED);
         self.rest = gain.rem_euclid(TICKS);
     }
 
     /// The place after a time in which the speed went from one to the other, evenly.
-    pub(super) const fn travel(&mut self, from: i64, to: i64, ticks: i64) {
+    pub(super) fn travel(&mut self, from: i64, to: i64, ticks: i64) {
         self.shift((from + to) * ticks);
     }
 
     /// The place so many parts further.
-    pub(super) const fn shift(&mut self, parts: i64) {
+    pub(super) fn shift(&mut self, parts: i64) {
         let sum = self.part + parts;
         self.count = self.count.saturating_add(sum.div_euclid(PARTS));
         self.part = sum.rem_euclid(PARTS);
     }
 
     /// Stands still where it is.
-    pub(super) const fn rest(&mut self) {
+    pub(super) fn rest(&mut self) {
         self.speed = 0;
         self.rest = 0;
     }
 
     /// Stands still at a place.
-    pub(super) const fn stand(&mut self, count: i64, part: i64) {
+    pub(super) fn stand(&mut self, count: i64, part: i64) {
         self.count = count;
         self.part = part;
         self.rest();

@@ -2,6 +2,7 @@
 
 mod cyclic;
 mod homing;
+mod probe;
 mod report;
 mod set_points;
 mod supervise;
@@ -24,6 +25,7 @@ use super::plant::{Plant, Setpoint};
 use super::slots::Slots;
 use cyclic::Cyclic;
 use homing::Homing;
+use probe::{Passed, Probes};
 use report::{Demand, Report};
 use set_points::SetPoints;
 use supervise::Watch;
@@ -57,6 +59,7 @@ enum Lead {
 
 /// The modes of operation, and the axis.
 #[derive(Debug)]
+#[allow(clippy::struct_excessive_bools)] // They are no state together.
 pub(crate) struct Modes<'m> {
     plant: Plant,
     planner: Planner,
@@ -74,12 +77,17 @@ pub(crate) struct Modes<'m> {
     lead: Lead,
     order: Order,
     points: SetPoints,
+    /// The planner is on its way to the present set-point, or there.
+    heads: bool,
+    /// The axis is braked although the drive is enabled.
+    brakes: bool,
     homing: Homing<'m>,
     cyclic: Cyclic,
     slope: Slope,
     watch: Watch,
     demand: Demand,
     report: Report,
+    probes: Probes,
     /// Something inside the drive holds the axis back.
     limited: bool,
     bits: u16,
@@ -100,12 +108,15 @@ impl<'m> Modes<'m> {
             lead: Lead::Nothing,
             order: Order::Off,
             points: SetPoints::none(0),
+            heads: false,
+            brakes: false,
             homing: Homing::default(),
             cyclic: Cyclic::at(place),
             slope: Slope::at(0),
             watch: Watch::default(),
             demand: Demand { position: place, ..Demand::default() },
             report: Report::default(),
+            probes: Probes::default(),
             limited: false,
             bits: 0,
             plant,
@@ -127,6 +138,11 @@ impl<'m> Modes<'m> {
 
     pub(crate) fn plant_mut(&mut self) -> &mut Plant {
         &mut self.plant
+    }
+
+    /// Sets the input of a touch probe.
+    pub(crate) fn set_probe(&mut self, probe: usize, level: bool) {
+        self.probes.set(probe, level);
     }
 
     /// The count of the axis at which the position is 0.
@@ -195,6 +211,13 @@ impl<'m> Modes<'m> {
         let watched = self.supervise(&context);
         self.compose(&context);
         memory.put(slots.mode_display, i64::from(self.active.0));
+        let passed = Passed {
+            crossings: self.plant.crossings(),
+            position: self.plant.position(),
+            origin: self.origin,
+            scale: self.units.position,
+        };
+        self.probes.step(memory, slots, &passed);
         self.report.write(memory, slots, &self.units, (&self.plant, &self.demand, self.origin));
         changed.or(incident).or(watched)
     }
@@ -231,6 +254,7 @@ impl<'m> Modes<'m> {
     /// What the axis is told in this cycle.
     fn setpoint(&mut self, context: &Context<'_, 'm, '_>) -> (Setpoint, Option<Incident>) {
         self.limited = false;
+        self.brakes = false;
         if self.active == Mode::HOMING {
             self.look_at_homing(context);
         }
@@ -254,6 +278,7 @@ impl<'m> Modes<'m> {
             return Setpoint::Off;
         }
         self.lead(Lead::Position);
+        (self.brakes, self.heads) = (true, false);
         self.planner.stop(match reaction {
             Reaction::SlowDownRamp => self.units.deceleration,
             Reaction::QuickStopRamp => self.units.quick_stop,
@@ -353,9 +378,11 @@ impl<'m> Modes<'m> {
 
     /// Whether the set-point is reached, or with halt, the axis stands.
     fn at_target(&self) -> bool {
-        self.at_demand()
-            && self.planner.point().velocity == 0
-            && (self.points.current().is_none() || self.planner.done())
+        if self.brakes {
+            return self.stands();
+        }
+        let there = self.points.current().is_none() || self.heads && self.planner.done();
+        there && self.at_demand() && self.planner.point().velocity == 0
     }
 
     /// The speed up to which the axis stands: 606Fh, or what the axis says.

@@ -74,11 +74,11 @@ mod tests {
         points.step(NEW, true, |_| 1);
         assert_eq!((points.current(), points.acknowledged()), (Some(1), true));
         points.step(0, false, |_| 0);
-        assert_eq!(points.acknowledged(), false);
+        assert!(!points.acknowledged());
         points.step(NEW, false, |_| 2);
         assert_eq!((points.current(), points.acknowledged()), (Some(1), true));
         points.step(0, false, |_| 0);
-        assert_eq!(points.acknowledged(), true, "there is no room for another");
+        assert!(points.acknowledged(), "there is no room for another");
         points.step(NEW, false, |_| 3);
         points.step(0, true, |_| 0);
         assert_eq!((points.current(), points.acknowledged()), (Some(2), false), "the third was not taken");

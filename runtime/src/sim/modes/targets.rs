@@ -68,7 +68,7 @@ impl<'m> Modes<'m> {
         let (units, origin, here) = (self.units, self.origin, self.plant.position());
         let raw = context.memory.used(context.slots.target_position);
         let relative = (context.word & ModeBits::RELATIVE != 0) != self.words.set_is_absolute;
-        let reached = self.points.current().map_or(true, |_| self.at_target());
+        let reached = self.at_target();
         let last = self.planner.target().unwrap_or(here);
         let target = |before: Option<i64>| {
             let way = units.position.inward(raw);
@@ -79,11 +79,13 @@ impl<'m> Modes<'m> {
             let target = self.within(target);
             let way = target.saturating_sub(self.plant.position());
             if self.blocked(way.signum()) && distance(target, here) > 0 {
-                self.limited = true;
+                (self.limited, self.heads) = (true, false);
                 self.planner.stop(self.units.quick_stop);
             } else if self.units.profile_velocity > 0 {
+                self.heads = true;
                 self.planner.move_to(target, self.limits());
             } else {
+                self.heads = false;
                 self.planner.stop(self.units.deceleration);
             }
         }
@@ -97,7 +99,7 @@ impl<'m> Modes<'m> {
         let offset =
             if self.active == Mode::CYCLIC_VELOCITY { memory.used(slots.velocity_offset) } else { 0 };
         let wanted = self.units.velocity.inward(raw.saturating_add(offset));
-        let speed = wanted.max(-most).min(most);
+        let speed = wanted.max(most.saturating_neg()).min(most);
         let blocked = self.blocked(speed.signum());
         self.limited |= blocked || speed != wanted;
         if blocked {
@@ -133,7 +135,7 @@ impl<'m> Modes<'m> {
     fn torque(&mut self, torque: i32) -> Setpoint {
         self.lead = Lead::Nothing;
         let speed = self.plant.velocity();
-        let faster = i64::from(torque).signum() * speed.signum() > 0;
+        let faster = torque != 0 && (torque > 0) == (speed > 0);
         let held = faster && speed.saturating_abs() >= self.units.max_motor_speed;
         self.limited |= held;
         Setpoint::Torque { torque: if held { 0 } else { torque } }
@@ -181,7 +183,7 @@ impl<'m> Modes<'m> {
             let most = reach.saturating_mul(i64::from(context.config.target_jump));
             incident = (most > 0 && self.cyclic.jumps(wanted, most)).then_some(Incident::Command);
             let last = self.cyclic.last();
-            let way = wanted.saturating_sub(last).max(-reach).min(reach);
+            let way = wanted.saturating_sub(last).max(reach.saturating_neg()).min(reach);
             let blocked = self.blocked(way.signum());
             self.limited |= blocked;
             self.cyclic.target(if blocked || incident.is_some() { last } else { last.saturating_add(way) });
@@ -192,6 +194,7 @@ impl<'m> Modes<'m> {
 
     /// A start of homing, or its end: bit 4.
     pub(super) fn look_at_homing(&mut self, context: &Context<'_, 'm, '_>) {
+        self.homing.watch(&self.plant);
         let starts = self.homing.look(context.word);
         if self.order != Order::Follow {
             self.homing.interrupt();
@@ -222,7 +225,7 @@ impl<'m> Modes<'m> {
         if let Outcome::Home(place) = outcome {
             let offset = match context.config.home_offset {
                 HomeOffset::ZeroIsHomePlusOffset => self.units.home_offset,
-                HomeOffset::HomeIsOffset => -self.units.home_offset,
+                HomeOffset::HomeIsOffset => self.units.home_offset.saturating_neg(),
             };
             self.home = Some(place);
             self.origin = place.saturating_add(offset);

@@ -51,6 +51,9 @@ pub(super) struct Leg {
 }
 
 impl Leg {
+    /// Half a unit of speed, in 2^-32.
+    pub(super) const HALF: i64 = 1 << 31;
+
     pub(super) const NONE: Self = Self { left: 0, from: 0, to: 0, slope: 0, end: None };
 
     pub(super) fn new(from: i64, to: i64, ticks: i64) -> Self {
@@ -79,7 +82,7 @@ impl Leg {
     /// In units per square second.
     pub(super) fn acceleration(&self) -> i64 {
         let gain = i128::from(self.slope) * i128::from(TICKS / SPEED * 2 + 1) / 2;
-        i64::try_from(gain >> 32).unwrap_or(0)
+        i64::try_from((gain + i128::from(Self::HALF)) >> 32).unwrap_or(0)
     }
 
     /// Speed and its fraction after a time.

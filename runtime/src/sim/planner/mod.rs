@@ -91,7 +91,7 @@ pub struct Planner {
     sign: i64,
     /// In 1/256 unit per second, in the direction of motion.
     speed: i64,
-    /// Of the speed, in 2^-32 of its unit.
+    /// Of the speed, in 2^-32 of its unit, and half of one above that: so the speed is rounded to the nearest.
     fraction: i64,
     goal: Goal,
     legs: [Leg; LEGS],
@@ -106,7 +106,7 @@ impl Planner {
             place: Place::at(position),
             sign: 1,
             speed: 0,
-            fraction: 0,
+            fraction: Leg::HALF,
             goal: Goal::Hold,
             legs: [Leg::NONE; LEGS],
             leg: LEGS,
@@ -174,7 +174,7 @@ impl Planner {
 
     /// Where to be now.
     pub fn point(&self) -> Point {
-        let acceleration = self.legs.get(self.leg).map_or(0, |leg| leg.acceleration());
+        let acceleration = self.legs.get(self.leg).map_or(0, Leg::acceleration);
         Point {
             position: self.place.unit,
             velocity: self.sign * self.speed,
@@ -249,7 +249,7 @@ impl Planner {
 
     /// Takes the speed with which the present leg begins; legs without time are passed over.
     fn begin(&mut self) {
-        self.fraction = 0;
+        self.fraction = Leg::HALF;
         while let Some(leg) = self.legs.get(self.leg) {
             if leg.left > 0 {
                 self.speed = leg.from;

@@ -1,5 +1,7 @@
 //! Finds the legs of a way.
 
+use core::cmp::Ordering;
+
 use super::leg::{Leg, Place};
 use super::{Limits, Planner};
 use crate::sim::motion::{PARTS, SPEED, TICKS};
@@ -8,12 +10,10 @@ impl Planner {
     /// Finds the way to a target from here.
     pub(super) fn head_for(&mut self, target: i64, limits: Limits) {
         let to_go = self.place.to(target);
-        let ahead = if to_go == 0 {
-            self.sign
-        } else if to_go < 0 {
-            -1
-        } else {
-            1
+        let ahead = match to_go.cmp(&0) {
+            Ordering::Less => -1,
+            Ordering::Equal => self.sign,
+            Ordering::Greater => 1,
         };
         let length = to_go.abs();
         if self.speed > 0 && (ahead != self.sign || !can_stop(self.speed, length, limits.deceleration)) {
@@ -47,8 +47,9 @@ impl Planner {
             return;
         }
         self.sign = velocity.signum();
-        let ramp = ramp(self.speed, velocity.abs(), limits);
-        self.follow(&[Leg::new(self.speed, velocity.abs(), ramp), Leg::endless(velocity.abs())]);
+        let leg = Leg::new(self.speed, velocity.abs(), ramp(self.speed, velocity.abs(), limits));
+        let end = self.place.after(self.sign, leg.length());
+        self.follow(&[leg.ending(end), Leg::endless(velocity.abs())]);
     }
 
     /// Brakes to a halt; the rest of the way is found there.
@@ -128,7 +129,7 @@ fn top_speed(from: i64, length: i128, limits: Limits) -> i64 {
     if from >= wanted {
         return from;
     }
-    triangle(from, length, limits).clamp(from.max(1), wanted)
+    triangle(from, length, limits).max(from).max(1).min(wanted)
 }
 
 /// The speed at which a triangle changes from one ramp to the other. With `h = a d / (a + d)` it is

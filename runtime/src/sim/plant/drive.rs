@@ -18,7 +18,7 @@ impl Plant {
         match setpoint {
             Setpoint::Off => self.open(0),
             Setpoint::Torque { torque } => {
-                self.open(acceleration(&self.config, torque.clamp(-10_000, 10_000)))
+                self.open(acceleration(&self.config, torque.clamp(-10_000, 10_000)));
             }
             Setpoint::Velocity { velocity, acceleration } => {
                 self.close(clamp(velocity, -FASTEST, FASTEST), acceleration, part);

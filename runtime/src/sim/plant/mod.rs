@@ -28,7 +28,7 @@ mod tests;
 
 use core::time::Duration;
 
-pub use config::{ConfigError, Loops, PlantConfig};
+pub use config::{ConfigError, Loops, PlantConfig, ASSUMPTIONS};
 pub use switches::{Band, Switches};
 
 use super::motion::{self, Motion, PARTS, TOP_ACCELERATION};
@@ -75,6 +75,8 @@ pub struct Plant {
     motion: Motion,
     /// Deceleration by viscous friction for each count per second, in 1/4096 1/s.
     damping: i64,
+    /// Torque for each count per square second, in 2^-64 of 0.1 % of rated: what a division would give, but quicker.
+    torque_each: i128,
     /// Dry friction and load as accelerations, in counts per square second.
     friction: i64,
     load: i64,
@@ -86,6 +88,8 @@ pub struct Plant {
     integral: i64,
     /// Up to where nothing is crossed: from the first count, up to but without the second.
     clear: (i64, i64),
+    /// What the switches say in that range.
+    levels: Levels,
     contact: Option<Side>,
     /// For how long the torque has been at its limit without motion, in half microseconds.
     stalled: i64,
@@ -115,6 +119,8 @@ impl Plant {
             drive: 0,
             integral: 0,
             clear: (0, 0),
+            levels: Levels::default(),
+            torque_each: torque_each(&config),
             contact: None,
             stalled: 0,
             crossed: Crossed::default(),
@@ -141,7 +147,7 @@ impl Plant {
     /// Limits the torque of the motor in each direction; both are amounts, in 0.1 % of rated. The motor has no more than
     /// its configuration says; less than nothing is nothing.
     pub fn limit_torque(&mut self, positive: i32, negative: i32) {
-        let amount = |torque: i32| acceleration(&self.config, torque.clamp(0, self.config.torque));
+        let amount = |torque: i32| acceleration(&self.config, torque.min(self.config.torque).max(0));
         self.allowed = (-amount(negative), amount(positive));
     }
 
@@ -167,14 +173,13 @@ impl Plant {
 
     /// Torque of the motor, in 0.1 % of rated.
     pub fn torque(&self) -> i32 {
-        let rated = self.config.acceleration;
-        let torque = (self.drive * 1_000 + rated / 2).checked_div_euclid(rated).unwrap_or(0);
-        i32::try_from(torque).unwrap_or(0)
+        let torque = i128::from(self.drive) * self.torque_each + (1 << 63);
+        i32::try_from(torque >> 64).unwrap_or(0)
     }
 
     /// What the switches say, and whether the axis stands.
     pub fn levels(&self) -> Levels {
-        Levels { standstill: self.standstill(), ..self.config.switches.levels(self.motion.count) }
+        Levels { standstill: self.standstill(), ..self.levels }
     }
 
     /// Whether the axis stands: it is not faster than the configuration says.
@@ -280,6 +285,7 @@ impl Plant {
     fn look_around(&mut self) {
         let (count, switches) = (self.motion.count, &self.config.switches);
         self.clear = (switches.below(count).unwrap_or(i64::MIN), switches.above(count).unwrap_or(i64::MAX));
+        self.levels = switches.levels(count);
     }
 
     fn watch_stall(&mut self, ticks: i64) {
@@ -292,4 +298,9 @@ impl Plant {
 /// What a torque does to the axis, in counts per square second.
 fn acceleration(config: &PlantConfig, torque: i32) -> i64 {
     i64::from(torque) * config.acceleration / 1_000
+}
+
+/// What acceleration says of torque, rounded up so that a whole torque comes back whole.
+fn torque_each(config: &PlantConfig) -> i128 {
+    (1_000_i128 << 64).checked_div(i128::from(config.acceleration)).map_or(0, |each| each.saturating_add(1))
 }
