@@ -210,17 +210,13 @@ fn a_drive_without_1010h_says_so() {
     assert_eq!(Store::new(&MODEL, 1).unwrap_err().cause, StoreCause::NoStore);
 }
 
-/// The SDV3-E, if it had 1010h.
-fn with_store(objects: &[ObjectDesc<'static>]) -> DriveModel<'_> {
-    MODEL.with_objects(objects)
-}
-
+/// On an SDV3-E that had 1010h.
 #[test]
 fn what_is_stored_is_there_after_a_power_cycle_and_targets_are_harmless() {
     let mut objects = MODEL.objects().to_vec();
     let save = ObjectDesc::new(at(0x1010, 1), DataType::UNSIGNED32, Access::Rw, Mapping::Unmapped, "Save");
     objects.insert(objects.partition_point(|object| object.address() < save.address()), save.default_int(1));
-    let model = with_store(&objects);
+    let model = MODEL.with_objects(&objects);
     let mut memory = vec![0; cells(&model)];
     let mut drive = VirtualDrive::new(&model, &mut memory, Config::default()).unwrap();
     let mut link = Link::new(&mut drive, Duration::from_millis(1));
@@ -230,7 +226,10 @@ fn what_is_stored_is_there_after_a_power_cycle_and_targets_are_harmless() {
     go(&mut link, Write::new(od::TARGET_VELOCITY, 5).unwrap()).unwrap();
 
     let refused = go(&mut link, Store::new(&model, 1).unwrap()).unwrap_err();
-    assert_eq!((refused.address, refused.cause), (at(0x60FF, 0), StoreCause::Target { value: 5, harmless: 0 }));
+    assert_eq!(
+        (refused.address, refused.cause),
+        (at(0x60FF, 0), StoreCause::Target { value: 5, harmless: 0 })
+    );
     assert!(go(&mut link, Store::new(&model, 1).unwrap().neutralize()).unwrap().confirmed);
     link.drive().power_cycle();
     link.drive().advance(Duration::from_millis(200));
@@ -252,7 +251,8 @@ fn block_on<T>(future: impl Future<Output = T>) -> T {
 #[test]
 fn a_task_gets_what_a_thread_gets() {
     let blocking = with_drive(|link| go(link, Identify::new(&MODEL)));
-    let task = with_drive(|link| block_on(run_async(&mut Identify::new(&MODEL), link, Policy::default())).unwrap());
+    let task =
+        with_drive(|link| block_on(run_async(&mut Identify::new(&MODEL), link, Policy::default())).unwrap());
     assert_eq!(blocking, task);
     let count = |link: &mut Link<'_, '_, '_>| {
         block_on(run_async(&mut Compare::new(&MODEL, |_| {}), link, Policy::default())).unwrap()

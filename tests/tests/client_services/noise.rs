@@ -46,7 +46,12 @@ impl Noisy<'_, '_, '_, '_> {
 impl Transport for Noisy<'_, '_, '_, '_> {
     type Error = Infallible;
 
-    fn upload(&mut self, address: Address, into: &mut [u8], within: Duration) -> Result<usize, Refusal<Infallible>> {
+    fn upload(
+        &mut self,
+        address: Address,
+        into: &mut [u8],
+        within: Duration,
+    ) -> Result<usize, Refusal<Infallible>> {
         match self.trouble() {
             // A cut answer.
             Some(Refusal::TooLong) => self.link.upload(address, into, within).map(|n| n / 2),
@@ -55,7 +60,12 @@ impl Transport for Noisy<'_, '_, '_, '_> {
         }
     }
 
-    fn download(&mut self, address: Address, data: &[u8], within: Duration) -> Result<(), Refusal<Infallible>> {
+    fn download(
+        &mut self,
+        address: Address,
+        data: &[u8],
+        within: Duration,
+    ) -> Result<(), Refusal<Infallible>> {
         match self.trouble() {
             // The write arrives, its answer does not.
             Some(Refusal::NoAnswer) => self.link.download(address, data, within).and(Err(Refusal::NoAnswer)),
