@@ -6,14 +6,14 @@ use crate::address::Address;
 use crate::cia402::{Mode, State, Statusword};
 use crate::client::axis::{Request, Sample};
 use crate::client::error::{ClientError, DriveError};
-use crate::client::fault::Fault;
+use crate::client::fault::{Fault, ReadFault};
 use crate::client::home::Homing;
-use crate::client::image::Input;
 use crate::client::moves::{self, MoveTo};
 use crate::client::object::ReadContent;
 use crate::client::session::{Client, Operation, Plan, Step};
 use crate::client::units::Amount;
-use crate::procedure::{run, run_async, Policy};
+use crate::model::AlarmText;
+use crate::procedure::{run, run_async, Policy, Procedure};
 use crate::transport::{AsyncTransport, Transport};
 
 /// Both drives are one list of calls; they differ in whether they wait or are told to come again.
@@ -107,7 +107,7 @@ macro_rules! drive {
             /// Resets a fault, if the model does not rule it out: see
             /// [`Axis::reset_fault`](crate::client::axis::Axis::reset_fault).
             pub $($async)? fn reset_fault(&mut self) -> Result<(), DriveError<T::Error>> {
-                let plan = Plan::cycle().then(Step::NeedResettable).then(Step::Goal(Request::ResetFault));
+                let plan = Plan::EMPTY.then(Step::Look).then(Step::NeedResettable).then(Step::Goal(Request::ResetFault));
                 self.run(plan)$(.$await)?
             }
 
@@ -144,7 +144,7 @@ macro_rules! drive {
                 self.run(plan)$(.$await)?
             }
 
-            /// Goes to a torque in profile torque mode, and waits until it is reached.
+            /// Goes to a torque in profile torque mode, and waits until it is reached, where the drive shows that.
             pub $($async)? fn torque(
                 &mut self,
                 torque: impl Into<Amount>,
@@ -190,17 +190,30 @@ macro_rules! drive {
             pub $($async)? fn read(&mut self, address: Address) -> Result<i128, DriveError<T::Error>> {
                 let address = self.client.image().at(address);
                 let mut read = ReadContent::new(self.client.model(), address, &mut []).map_err(ClientError::Access)?;
-                let read = $run(&mut read, &mut self.bus, self.policy)$(.$await)?;
-                let content = read.map_err(DriveError::Link)?.map_err(ClientError::Access)?;
+                let content = self.call(&mut read)$(.$await)?.map_err(DriveError::Link)?.map_err(ClientError::Access)?;
                 Ok(content.number().unwrap_or(0))
             }
 
-            /// The fault that it reports; `None` if it reports none.
-            pub $($async)? fn fault(&mut self) -> Result<Option<Fault<'m>>, DriveError<T::Error>> {
-                let code = self.read(Input::ErrorCode.address())$(.$await)??;
-                let word = self.read(Input::Statusword.address())$(.$await)??;
-                let word = Statusword(u16::try_from(word).unwrap_or(0));
-                Ok(Fault::of(self.client.model(), u16::try_from(code).unwrap_or(0), word))
+            /// The fault that it reports, or the warning; `None` if it reports neither. `texts` are causes and remedies;
+            /// empty where they are not at hand.
+            pub $($async)? fn fault(
+                &mut self,
+                texts: &'m [AlarmText<'m>],
+            ) -> Result<Option<Fault<'m>>, DriveError<T::Error>> {
+                let mut read = ReadFault::new(self.client.model());
+                let evidence = self.call(&mut read)$(.$await)?.map_err(DriveError::Link)?.map_err(ClientError::Access)?;
+                let warns = evidence.statusword.is_some_and(Statusword::has_warning);
+                let fault = Fault::new(self.client.model(), texts, evidence);
+                Ok((warns || fault.is_active() != Some(false)).then_some(fault))
+            }
+
+            /// Runs any other procedure on this bus: identity, comparison, layouts, parameter sets. Process data do not
+            /// go on by themselves meanwhile.
+            ///
+            /// # Errors
+            /// That of the bus.
+            pub $($async)? fn call<P: Procedure>(&mut self, procedure: &mut P) -> Result<P::Output, T::Error> {
+                $run(procedure, &mut self.bus, self.policy)$(.$await)?
             }
         }
     };

@@ -52,10 +52,14 @@ impl fmt::Display for ClientError {
             Self::Access(error) => error.fmt(f),
             Self::Image(error) => error.fmt(f),
             Self::Unit { address, entry: Some(entry), given } => {
-                write!(f, "{address} is a {}, not a {}", entry.name(), given.name())
+                write!(f, "{address} measures {}, not {}", entry.name(), given.name())
             }
             Self::Unit { address, entry: None, given } => {
-                write!(f, "the profile states no unit for {address}, so no {} can be written", given.name())
+                write!(
+                    f,
+                    "the profile states no unit for {address}, so that {} cannot be written",
+                    given.name()
+                )
             }
             Self::Range(error) => error.fmt(f),
             Self::NoScale => f.write_str("user units need the scale of the drive, and none has been set"),

@@ -44,8 +44,7 @@ fn target<T: TryFrom<i64>>(client: &Client<'_>, address: Address, amount: Amount
     let count = client.count(address, amount)?;
     let at = client.image().at(address);
     let model = client.model();
-    let missing =
-        AccessError { address: at, action: Action::Write(Some(count.into())), cause: Cause::NotInProfile };
+    let missing = AccessError { address: at, action: Action::Write(Some(count)), cause: Cause::NotInProfile };
     let object = model.object(at).ok_or(missing)?;
     let limit = |limit: Option<i128>, nearest| limit.and_then(|n| i64::try_from(n).ok()).unwrap_or(nearest);
     let range = (limit(object.min(), i64::MIN), limit(object.max(), i64::MAX));
@@ -153,7 +152,8 @@ pub fn velocity(client: &Client<'_>, velocity: Amount, within: Duration) -> Resu
     Ok(in_mode(Mode::PROFILE_VELOCITY).then(Step::Goal(Request::Velocity(velocity, within))))
 }
 
-/// The steps to a torque in profile torque mode; the slope is 6087h, where it is said.
+/// The steps to a torque in profile torque mode. Where the statusword of the drive does not show in this mode that a target
+/// is reached, they end when it is sent. The slope is 6087h, where it is said.
 ///
 /// # Errors
 /// Those of [`Client::count`].
@@ -165,7 +165,11 @@ pub fn torque(
 ) -> Result<Plan, ClientError> {
     let torque = target(client, TARGET_TORQUE, torque)?;
     let plan = in_mode(Mode::PROFILE_TORQUE).amount(client, TORQUE_SLOPE, slope)?;
-    Ok(plan.then(Step::Goal(Request::Torque(torque, within))))
+    Ok(if client.shows_target_reached(Mode::PROFILE_TORQUE) {
+        plan.then(Step::Goal(Request::Torque(torque, within)))
+    } else {
+        plan.then(Step::TargetTorque(torque)).then(Step::Cycle)
+    })
 }
 
 /// The steps of a jog: a velocity in profile velocity mode as long as it is held, and no longer than `within`; then

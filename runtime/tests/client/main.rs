@@ -5,7 +5,9 @@
 // A test decodes what it has made itself.
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 
+mod bugs;
 mod bus;
 mod drives;
 mod fake;
+mod nonsense;
 mod states;

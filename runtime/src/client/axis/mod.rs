@@ -5,6 +5,7 @@
 
 mod enable;
 mod error;
+mod explain;
 mod home;
 mod io;
 mod policy;
@@ -103,6 +104,7 @@ impl Goal {
 /// Two axes that compare equal behave alike from here on, for [`step`](Self::step) keeps no moments, only spans that come to
 /// rest: a search over all that can happen ends.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
+#[allow(clippy::struct_excessive_bools)] // Each is a fact of its own.
 pub struct Axis {
     policy: AxisPolicy,
     /// The moment of the last [`cycle`](Self::cycle); `None` for who calls [`step`](Self::step).
@@ -129,6 +131,8 @@ pub struct Axis {
     within: Duration,
     /// The goal has not seen a cycle yet: the time before it does not count.
     begins: bool,
+    /// A sample has come since it began.
+    informed: bool,
     waited: Duration,
     in_state: Duration,
     phase: Duration,
@@ -158,6 +162,7 @@ impl Axis {
             progress: Progress::Done,
             within: Duration::ZERO,
             begins: false,
+            informed: false,
             waited: Duration::ZERO,
             in_state: Duration::ZERO,
             phase: Duration::ZERO,
@@ -270,9 +275,10 @@ type Verdict = Result<bool, AxisErrorKind>;
 
 impl Axis {
     fn begin(&mut self, goal: Goal, within: Duration) {
+        self.end_edges();
         self.enter(goal);
         self.within = within;
-        self.begins = true;
+        (self.begins, self.informed) = (true, false);
         (self.waited, self.in_state) = (Duration::ZERO, Duration::ZERO);
         self.progress = Progress::Pending;
         self.trip = None;
@@ -298,6 +304,7 @@ impl Axis {
             self.phase = self.phase.saturating_add(elapsed);
         }
         self.begins = false;
+        self.informed |= sample.is_some();
         if sample.is_some() {
             let most = self.policy.latency.saturating_add(1);
             self.level_samples = self.level_samples.saturating_add(1).min(most);
@@ -318,7 +325,8 @@ impl Axis {
         let error = self.error(why);
         self.let_go();
         self.trip = Some(error);
-        if self.progress == Progress::Pending {
+        // A fault is what a reset is for.
+        if self.progress == Progress::Pending && !matches!(self.goal, Goal::Reset(_)) {
             self.progress = Progress::Failed(error);
         }
     }
@@ -329,8 +337,8 @@ impl Axis {
         }
         let verdict = match (self.view.feedback(), self.view.word()) {
             (Feedback::Stale(_), _) => Err(AxisErrorKind::Stale { age: self.view.age() }),
-            (_, Some(word)) => self.advance(word),
-            (_, None) => Ok(false),
+            (_, Some(word)) if self.informed => self.advance(word),
+            _ => Ok(false),
         };
         match verdict {
             Ok(true) => self.finish(Progress::Done),
@@ -344,8 +352,8 @@ impl Axis {
         match self.goal {
             Goal::Nothing => Ok(true),
             Goal::Reach(goal) => self.advance_reach(goal),
-            Goal::Disable => self.advance_disable(),
-            Goal::QuickStop => self.advance_quick_stop(),
+            Goal::Disable => Ok(self.advance_disable()),
+            Goal::QuickStop => Ok(self.quick_stop_is_done()),
             Goal::Enable(mode) => self.advance_enable(mode),
             Goal::Resume => self.advance_resume(),
             Goal::Reset(phase) => self.advance_reset(phase),
@@ -375,6 +383,8 @@ impl Axis {
         match self.goal {
             Goal::Enable(_) => self.let_go(),
             Goal::Resume if !self.enabled => self.let_go(),
+            // A stop that does not end by itself, for example: the motor is to be without torque.
+            Goal::Disable => self.set_level(Command::DisableVoltage),
             // A mode that was not taken now is not to be taken at any time later.
             Goal::SelectMode => self.mode = self.view.mode().or(self.mode),
             _ => (),
@@ -388,10 +398,18 @@ impl Axis {
     }
 
     fn finish(&mut self, progress: Progress) {
+        self.end_edges();
+        self.progress = progress;
+    }
+
+    /// Bits that rise for a goal fall with it, however it ends.
+    fn end_edges(&mut self) {
         if matches!(self.goal, Goal::Move(..) | Goal::Home(_)) {
             self.set_bit(Controlword::MODE_4, false);
         }
-        self.progress = progress;
+        if self.level == Command::FaultReset {
+            self.set_level(Command::DisableVoltage);
+        }
     }
 
     /// Ends operation on the side of the client. What takes power away already is kept.

@@ -35,7 +35,7 @@ impl Modes {
     pub const fn has(self, mode: Mode) -> bool {
         match mode.supported_bit() {
             Some(bit) => self.0 & bit != 0,
-            None => mode.0 <= 0,
+            None => mode.0 <= 0 || self.0 == Self::ANY.0,
         }
     }
 
@@ -51,6 +51,9 @@ impl Modes {
 
 impl fmt::Display for Modes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if *self == Self::ANY {
+            return f.write_str("any");
+        }
         let mut modes = (1..=11).map(Mode).filter(|mode| self.has(*mode));
         match modes.next() {
             Some(first) => write!(f, "{first}")?,
@@ -77,6 +80,7 @@ pub struct StepLimits {
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
+#[allow(clippy::struct_excessive_bools)] // Each is a quirk of its own.
 pub struct AxisPolicy {
     /// Modes that the drive has. Default: [`Modes::ANY`].
     pub modes: Modes,
@@ -107,8 +111,8 @@ pub struct AxisPolicy {
     pub safe_command: Command,
     /// Whether bit 12 may be high in profile position mode before the first set-point. Default: `false`.
     pub acknowledge_may_be_high: bool,
-    /// Whether bit 6 means absolute, against the standard. Default: `false`.
-    pub relative_bit_is_inverted: bool,
+    /// Whether bit 6 means absolute, against the standard. Default: what the model says, where there is one.
+    pub relative_bit_is_inverted: Option<bool>,
     /// The longest time until a set-point is acknowledged. Default: 1 s.
     pub acknowledge_within: Duration,
     /// The longest time until homing is seen to start. Default: 1 s.
@@ -137,7 +141,7 @@ impl Default for AxisPolicy {
             quick_stop: None,
             safe_command: Command::Shutdown,
             acknowledge_may_be_high: false,
-            relative_bit_is_inverted: false,
+            relative_bit_is_inverted: None,
             acknowledge_within: Duration::from_secs(1),
             homing_start_within: Duration::from_secs(1),
             homing_idle: Duration::from_millis(500),

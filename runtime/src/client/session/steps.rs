@@ -23,10 +23,13 @@ impl Operation<'_, '_> {
             Step::NeedResettable => return Ok(self.begin_read(Fact::Resettable)),
             Step::Goal(request) => self.begin_goal(request)?,
             Step::TargetVelocity(velocity) => self.client.axis.target_velocity(velocity)?,
+            Step::TargetTorque(torque) => self.client.axis.target_torque(torque)?,
             Step::RestoreMode => {
-                self.mode.map_or(Ok(()), |mode| self.begin_goal(Request::SelectMode(mode)))?
+                if let Some(mode) = self.mode {
+                    self.begin_goal(Request::SelectMode(mode))?;
+                }
             }
-            Step::Cycle | Step::Hold(_) => {
+            Step::Look | Step::Cycle | Step::Hold(_) => {
                 self.since = Some(now);
                 self.stage = Stage::Send(0);
             }
@@ -55,7 +58,7 @@ impl Operation<'_, '_> {
     /// Writes for a step. `place`: into the process data where it is mapped.
     fn write(&mut self, address: Address, value: i64, place: bool) -> Result<Option<Want>, ClientError> {
         let number = i128::from(value);
-        let refused = |cause| AccessError { address, action: Action::write(Some(number)), cause };
+        let refused = |cause| AccessError { address, action: Action::Write(Some(value)), cause };
         let object = self.client.model.object(address).ok_or(refused(Cause::NotInProfile))?;
         Content::Int(number).check(self.client.model, object)?;
         let wire = |error| refused(Cause::Wire(error));
