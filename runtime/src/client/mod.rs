@@ -19,8 +19,9 @@ pub mod moves;
 pub mod object;
 pub mod parameters;
 pub mod session;
-mod tally;
 pub mod units;
+
+mod tally;
 
 #[cfg(test)]
 mod testing;

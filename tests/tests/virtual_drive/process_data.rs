@@ -6,7 +6,7 @@ use drivewright_runtime::sim::BusRefusal;
 
 use crate::Rig;
 
-/// The steps of section 3.4 for TxPDO1 with two entries: index, sub-index, value.
+/// The steps of section 3.4 for `TxPDO1` with two entries: index, sub-index, value.
 const STEPS: [(u16, u8, i64); 7] = [
     (0x1C13, 0, 0),
     (0x1A00, 0, 0),

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use drivewright_runtime::cia402::Transition;
+
 use crate::Rig;
 
 #[test]
@@ -125,7 +127,7 @@ fn all_seventeen_transitions_are_made() {
     let mut seen = BTreeSet::from([0]);
     rig.drive.power_cycle();
     let note = |rig: &Rig, seen: &mut BTreeSet<u8>| {
-        seen.extend(rig.drive.transition().map(|transition| transition.number()));
+        seen.extend(rig.drive.transition().map(Transition::number));
     };
     for _ in 0..100 {
         rig.run(1);

@@ -25,7 +25,9 @@ impl Operation<'_, '_> {
             Step::TargetVelocity(velocity) => self.client.axis.target_velocity(velocity)?,
             Step::TargetTorque(torque) => self.client.axis.target_torque(torque)?,
             Step::RestoreMode => {
-                self.mode.map_or(Ok(()), |mode| self.begin_goal(Request::SelectMode(mode)))?
+                if let Some(mode) = self.mode {
+                    self.begin_goal(Request::SelectMode(mode))?;
+                }
             }
             Step::Look | Step::Cycle | Step::Hold(_) => {
                 self.since = Some(now);
@@ -56,7 +58,7 @@ impl Operation<'_, '_> {
     /// Writes for a step. `place`: into the process data where it is mapped.
     fn write(&mut self, address: Address, value: i64, place: bool) -> Result<Option<Want>, ClientError> {
         let number = i128::from(value);
-        let refused = |cause| AccessError { address, action: Action::write(Some(number)), cause };
+        let refused = |cause| AccessError { address, action: Action::Write(Some(value)), cause };
         let object = self.client.model.object(address).ok_or(refused(Cause::NotInProfile))?;
         Content::Int(number).check(self.client.model, object)?;
         let wire = |error| refused(Cause::Wire(error));

@@ -2,6 +2,10 @@
 
 #![allow(clippy::expect_used, clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod noise;
+
+use std::pin::pin;
+use std::task::{Context, Poll, Waker};
 use std::time::Duration;
 
 use drivewright_runtime::client::compare::{Compare, Kind};
@@ -14,7 +18,7 @@ use drivewright_runtime::client::parameters::{Apply, Columns, SetCause, Setting,
 use drivewright_runtime::model::{DriveModel, Effect, EsmState, Identity};
 use drivewright_runtime::pdo::MapEntry;
 use drivewright_runtime::prelude::*;
-use drivewright_runtime::procedure::{Policy, Procedure, run};
+use drivewright_runtime::procedure::{Policy, Procedure, run, run_async};
 use drivewright_runtime::sim::{Config, Link, VirtualDrive, cells};
 use drivewright_runtime::{AbortCode, Address};
 use savch_sdv3_e::alarms::ALARM_TEXTS;
@@ -204,6 +208,56 @@ fn what_process_data_carry_is_not_written_by_sdo() {
 #[test]
 fn a_drive_without_1010h_says_so() {
     assert_eq!(Store::new(&MODEL, 1).unwrap_err().cause, StoreCause::NoStore);
+}
+
+/// On an SDV3-E that had 1010h.
+#[test]
+fn what_is_stored_is_there_after_a_power_cycle_and_targets_are_harmless() {
+    let mut objects = MODEL.objects().to_vec();
+    let save = ObjectDesc::new(at(0x1010, 1), DataType::UNSIGNED32, Access::Rw, Mapping::Unmapped, "Save");
+    objects.insert(objects.partition_point(|object| object.address() < save.address()), save.default_int(1));
+    let model = MODEL.with_objects(&objects);
+    let mut memory = vec![0; cells(&model)];
+    let mut drive = VirtualDrive::new(&model, &mut memory, Config::default()).unwrap();
+    let mut link = Link::new(&mut drive, Duration::from_millis(1));
+    link.drive().advance(Duration::from_millis(200));
+    link.drive().request(EsmState::PreOp).unwrap();
+    go(&mut link, Write::new(od::PROFILE_VELOCITY, 7_000).unwrap()).unwrap();
+    go(&mut link, Write::new(od::TARGET_VELOCITY, 5).unwrap()).unwrap();
+
+    let refused = go(&mut link, Store::new(&model, 1).unwrap()).unwrap_err();
+    assert_eq!(
+        (refused.address, refused.cause),
+        (at(0x60FF, 0), StoreCause::Target { value: 5, harmless: 0 })
+    );
+    assert!(go(&mut link, Store::new(&model, 1).unwrap().neutralize()).unwrap().confirmed);
+    link.drive().power_cycle();
+    link.drive().advance(Duration::from_millis(200));
+    link.drive().request(EsmState::PreOp).unwrap();
+    assert_eq!(go(&mut link, Read::new(od::PROFILE_VELOCITY)), Ok(7_000));
+    assert_eq!(go(&mut link, Read::new(od::TARGET_VELOCITY)), Ok(0));
+}
+
+/// An executor of one task: the virtual bus never waits.
+fn block_on<T>(future: impl Future<Output = T>) -> T {
+    let mut future = pin!(future);
+    loop {
+        if let Poll::Ready(output) = future.as_mut().poll(&mut Context::from_waker(Waker::noop())) {
+            return output;
+        }
+    }
+}
+
+#[test]
+fn a_task_gets_what_a_thread_gets() {
+    let blocking = with_drive(|link| go(link, Identify::new(&MODEL)));
+    let task =
+        with_drive(|link| block_on(run_async(&mut Identify::new(&MODEL), link, Policy::default())).unwrap());
+    assert_eq!(blocking, task);
+    let count = |link: &mut Link<'_, '_, '_>| {
+        block_on(run_async(&mut Compare::new(&MODEL, |_| {}), link, Policy::default())).unwrap()
+    };
+    assert_eq!(with_drive(count), with_drive(|link| go(link, Compare::new(&MODEL, |_| {}))));
 }
 
 #[test]
