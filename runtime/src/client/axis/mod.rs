@@ -104,6 +104,7 @@ impl Goal {
 /// Two axes that compare equal behave alike from here on, for [`step`](Self::step) keeps no moments, only spans that come to
 /// rest: a search over all that can happen ends.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
+#[allow(clippy::struct_excessive_bools)] // Each is a fact of its own.
 pub struct Axis {
     policy: AxisPolicy,
     /// The moment of the last [`cycle`](Self::cycle); `None` for who calls [`step`](Self::step).
@@ -351,8 +352,8 @@ impl Axis {
         match self.goal {
             Goal::Nothing => Ok(true),
             Goal::Reach(goal) => self.advance_reach(goal),
-            Goal::Disable => self.advance_disable(),
-            Goal::QuickStop => self.advance_quick_stop(),
+            Goal::Disable => Ok(self.advance_disable()),
+            Goal::QuickStop => Ok(self.quick_stop_is_done()),
             Goal::Enable(mode) => self.advance_enable(mode),
             Goal::Resume => self.advance_resume(),
             Goal::Reset(phase) => self.advance_reset(phase),
