@@ -5,6 +5,7 @@ use crate::model::{AlarmDesc, DriveModel};
 use crate::rule::{Occasion, RuleDesc};
 
 use super::memory::Memory;
+use super::words::{after, holds};
 
 /// The rules of an occasion that are broken at this moment.
 pub(crate) fn broken<'a, 'm>(
@@ -29,16 +30,17 @@ pub(crate) fn broken_by<'a, 'm>(
 
 /// The alarm that a rule names in its words: `alarm oPE`. A rule has no other place for it.
 pub(crate) fn alarm<'m>(model: &DriveModel<'m>, rule: &RuleDesc<'_>) -> Option<&'m AlarmDesc<'m>> {
-    let (_, rest) = rule.text().split_once("alarm ")?;
+    let rest = after(rule.text(), "alarm ")?;
     let named = |alarm: &&AlarmDesc<'_>| {
-        rest.strip_prefix(alarm.display()).is_some_and(|rest| !rest.starts_with(char::is_alphanumeric))
+        let end = rest.strip_prefix(alarm.display().as_bytes());
+        end.is_some_and(|end| !end.first().is_some_and(u8::is_ascii_alphanumeric))
     };
     model.alarms().iter().find(named)
 }
 
 /// Whether a write that breaks the rule is refused: process data are, and what the manual says is.
 pub(crate) fn refuses(rule: &RuleDesc<'_>) -> bool {
-    rule.on() == Some(Occasion::Remap) || rule.text().contains("refused")
+    rule.on() == Some(Occasion::Remap) || holds(rule.text(), "refused")
 }
 
 #[cfg(test)]
