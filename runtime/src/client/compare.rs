@@ -48,7 +48,7 @@ pub enum Kind<'b> {
     Refused(Cause),
     /// A constant is another one: the profile is that of other firmware.
     Constant(Content<'b>),
-    /// A setting holds a value that the profile excludes.
+    /// A setting or a constant holds a value that the profile excludes.
     Excluded(Content<'b>),
     /// A setting is not at its default.
     Setting(Content<'b>),
@@ -89,7 +89,7 @@ pub struct Summary {
 /// Compares a drive with its profile.
 #[derive(Debug)]
 pub struct Compare<'m, F> {
-    model: DriveModel<'m>,
+    model: &'m DriveModel<'m>,
     sink: F,
     asked: Option<&'m ObjectDesc<'m>>,
     place: usize,
@@ -99,8 +99,8 @@ pub struct Compare<'m, F> {
 
 impl<'m, F: FnMut(Finding<'m, '_>)> Compare<'m, F> {
     /// The comparison of a drive with `model`; every finding goes to `sink`.
-    pub fn new(model: &DriveModel<'m>, sink: F) -> Self {
-        Self { model: *model, sink, asked: None, place: 0, silent: 0, summary: Summary::default() }
+    pub fn new(model: &'m DriveModel<'m>, sink: F) -> Self {
+        Self { model, sink, asked: None, place: 0, silent: 0, summary: Summary::default() }
     }
 
     fn tell(&mut self, object: &'m ObjectDesc<'m>, kind: Kind<'_>) {
@@ -116,7 +116,7 @@ impl<'m, F: FnMut(Finding<'m, '_>)> Compare<'m, F> {
         match content {
             Err(error) if self.silent >= SILENT_READS => return Err(error),
             Err(error) => self.tell(object, failed(error.cause)),
-            Ok(content) => match judge(&self.model, object, content) {
+            Ok(content) => match judge(self.model, object, content) {
                 Some(kind) => self.tell(object, kind),
                 None => self.summary.as_stated = self.summary.as_stated.saturating_add(1),
             },
@@ -161,8 +161,9 @@ fn failed(cause: Cause) -> Kind<'static> {
 
 /// What there is to say about a value; `None`: nothing.
 fn judge<'b>(model: &DriveModel<'_>, object: &ObjectDesc<'_>, content: Content<'b>) -> Option<Kind<'b>> {
-    let writes = object.access().writes();
-    if writes && content.number().is_some_and(|number| !takes(model, object, number)) {
+    let (writes, constant) = (object.access().writes(), is_constant(model, object));
+    let number = content.number().filter(|_| writes || constant);
+    if number.is_some_and(|number| !takes(model, object, number)) {
         return Some(Kind::Excluded(content));
     }
     if content.is(model.default_of(object))? {
@@ -170,7 +171,7 @@ fn judge<'b>(model: &DriveModel<'_>, object: &ObjectDesc<'_>, content: Content<'
     }
     Some(match writes {
         true => Kind::Setting(content),
-        false if is_constant(model, object) => Kind::Constant(content),
+        false if constant => Kind::Constant(content),
         false => Kind::Reported(content),
     })
 }

@@ -8,8 +8,9 @@ use core::fmt;
 use crate::address::Address;
 use crate::cia402::{Mode, State, Statusword};
 use crate::client::decode::ErrorRegister;
-use crate::client::message::{displays, Clean, Explain, Lines, Severity};
+use crate::client::message::{displays, list, Clean, Explain, Lines, Severity};
 use crate::client::object::{received, AccessError, Action, Cause};
+use crate::client::tally::count;
 use crate::model::{AlarmDesc, AlarmText, DriveModel, EmcyContent, Reset};
 use crate::procedure::{Answer, Ask, Procedure};
 use crate::time::Instant;
@@ -64,7 +65,7 @@ const ENTRIES: [Address; 4] =
 /// Reads what a drive says about its fault, as far as the profile has the entries.
 #[derive(Clone, Copy, Debug)]
 pub struct ReadFault<'m> {
-    model: DriveModel<'m>,
+    model: &'m DriveModel<'m>,
     place: usize,
     asked: Option<Address>,
     evidence: Evidence,
@@ -73,8 +74,8 @@ pub struct ReadFault<'m> {
 
 impl<'m> ReadFault<'m> {
     /// The read from the drive of `model`.
-    pub fn new(model: &DriveModel<'m>) -> Self {
-        Self { model: *model, place: 0, asked: None, evidence: Evidence::default(), error: None }
+    pub fn new(model: &'m DriveModel<'m>) -> Self {
+        Self { model, place: 0, asked: None, evidence: Evidence::default(), error: None }
     }
 
     /// With an emergency message that was received.
@@ -154,15 +155,34 @@ impl Procedure for ReadFault<'_> {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Fault<'m> {
-    model: DriveModel<'m>,
+    model: &'m DriveModel<'m>,
     texts: &'m [AlarmText<'m>],
     evidence: Evidence,
 }
 
 impl<'m> Fault<'m> {
     /// The fault that the evidence shows. `texts` are causes and remedies; empty where they are not at hand.
-    pub const fn new(model: &DriveModel<'m>, texts: &'m [AlarmText<'m>], evidence: Evidence) -> Self {
-        Self { model: *model, texts, evidence }
+    pub const fn new(model: &'m DriveModel<'m>, texts: &'m [AlarmText<'m>], evidence: Evidence) -> Self {
+        Self { model, texts, evidence }
+    }
+
+    /// The fault that these values report, without texts; `None` if they report none.
+    pub fn of(model: &'m DriveModel<'m>, code: u16, statusword: Statusword) -> Option<Self> {
+        let evidence = Evidence { code: Some(code), statusword: Some(statusword), ..Evidence::default() };
+        let fault = Self::new(model, &[], evidence);
+        (code != 0 || fault.is_active() == Some(true)).then_some(fault)
+    }
+
+    /// With the texts of the alarms: causes and remedies. They are a table of their own, so that a program without them does
+    /// not carry them.
+    #[must_use]
+    pub const fn with_texts(self, texts: &'m [AlarmText<'m>]) -> Self {
+        Self { texts, ..self }
+    }
+
+    /// What is known about it.
+    pub const fn evidence(&self) -> Evidence {
+        self.evidence
     }
 
     /// Whether the drive is in fault now; `None` where the statusword is not known.
@@ -178,7 +198,7 @@ impl<'m> Fault<'m> {
     }
 
     fn message(&self, content: EmcyContent) -> Option<u16> {
-        self.evidence.emergency?.part(&self.model, content)
+        self.evidence.emergency?.part(self.model, content)
     }
 
     /// What tells an alarm from others with its code. A message about another code says nothing about this one.
@@ -252,7 +272,7 @@ impl Explain for Fault<'_> {
         if self.is_active() == Some(false) {
             f.write_str("not in fault now; the last one: ")?;
         }
-        match (self.alarm(), Fault::code(self), self.alarms().count()) {
+        match (self.alarm(), Fault::code(self), count(self.alarms())) {
             (Some(alarm), ..) => write!(f, "{}", Clean(alarm.name().as_bytes()))?,
             (None, None, _) => f.write_str("the drive reports no error code")?,
             (None, Some(code), 0) => write!(f, "{}, a code that the profile does not list", class(code))?,
@@ -297,7 +317,7 @@ impl fmt::Display for Numbered<'_> {
         if let [only] = self.0 {
             return write!(f, "{}", Clean(only.as_bytes()));
         }
-        for (number, text) in (1..).zip(self.0) {
+        for (number, text) in (1..=usize::MAX).zip(self.0) {
             write!(f, "{}{number} {}", if number == 1 { "" } else { "\n" }, Clean(text.as_bytes()))?;
         }
         Ok(())
@@ -309,11 +329,17 @@ struct Maybe<'f, 'm>(&'f Fault<'m>);
 
 impl fmt::Display for Maybe<'_, '_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (place, alarm) in self.0.alarms().enumerate() {
-            let (display, name) = (Clean(alarm.display().as_bytes()), Clean(alarm.name().as_bytes()));
-            write!(f, "{}{display} {:02X}h {name}", if place == 0 { "" } else { "\n" }, alarm.number())?;
-        }
-        Ok(())
+        list(f, "\n", self.0.alarms().map(Named))
+    }
+}
+
+/// An alarm by display, number and name.
+struct Named<'m>(&'m AlarmDesc<'m>);
+
+impl fmt::Display for Named<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (display, name) = (Clean(self.0.display().as_bytes()), Clean(self.0.name().as_bytes()));
+        write!(f, "{display} {:02X}h {name}", self.0.number())
     }
 }
 

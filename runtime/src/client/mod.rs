@@ -24,6 +24,7 @@ pub mod moves;
 pub mod object;
 pub mod parameters;
 pub mod session;
+mod tally;
 pub mod units;
 
 pub use axis::{Axis, AxisPolicy};

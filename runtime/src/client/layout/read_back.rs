@@ -5,8 +5,9 @@ use core::fmt;
 use super::plan::is_fixed;
 use super::{assignment, Mapped, Plan, MAX_ENTRIES};
 use crate::address::Address;
-use crate::client::message::{displays, Explain, Lines};
+use crate::client::message::{displays, list, Explain, Lines};
 use crate::client::object::{received, AccessError, Action, Cause};
+use crate::client::tally::sum;
 use crate::mapping::Direction;
 use crate::model::DriveModel;
 use crate::pdo::{compare, LayoutMismatch, MapEntry};
@@ -20,7 +21,7 @@ use crate::wire::Fixed;
 #[derive(Clone, Copy, Debug)]
 pub struct ReadBack<'p, 'm> {
     plan: Plan<'p>,
-    model: DriveModel<'m>,
+    model: &'m DriveModel<'m>,
     /// Where the next answer belongs: the place of a PDO in the plan, and a sub-index. No PDO: the assignment.
     pdo: Option<usize>,
     sub: u8,
@@ -63,10 +64,10 @@ pub struct LayoutError {
 
 impl<'p, 'm> ReadBack<'p, 'm> {
     /// The comparison with `plan`.
-    pub fn new(model: &DriveModel<'m>, plan: Plan<'p>) -> Self {
+    pub fn new(model: &'m DriveModel<'m>, plan: Plan<'p>) -> Self {
         let assigned = model.object(assignment(plan.direction(), 0)).is_some();
         let pdo = if assigned { None } else { Some(0) };
-        Self { plan, model: *model, pdo, sub: 0, count: 0, words: [0; MAX_ENTRIES], used: 0 }
+        Self { plan, model, pdo, sub: 0, count: 0, words: [0; MAX_ENTRIES], used: 0 }
     }
 
     /// What the drive has in the PDO that was read last: that of the error, after one.
@@ -273,11 +274,8 @@ struct Row<F>(F);
 
 impl<I: Iterator<Item = MapEntry>, F: Fn() -> I> fmt::Display for Row<F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut bits = 0_usize;
-        for (place, entry) in (self.0)().enumerate() {
-            write!(f, "{}{entry}", if place == 0 { "" } else { " | " })?;
-            bits = bits.saturating_add(entry.bits().into());
-        }
+        list(f, " | ", (self.0)())?;
+        let bits = sum((self.0)().map(|entry| entry.bits().into()));
         write!(f, "{}({} bytes)", if bits == 0 { "" } else { "  " }, bits.div_ceil(8))
     }
 }

@@ -4,6 +4,7 @@ use super::order::{broken_in_the_end, give_turns, Role, Rules, Slot};
 use super::{is_command, is_mapping, SetCause, SetError, SetReport, Setting};
 use crate::address::Address;
 use crate::client::object::{is_free, received, taken, AccessError, Action, Cause, Content};
+use crate::client::tally::count;
 use crate::model::{DriveModel, Effect};
 use crate::pdo::MapEntry;
 use crate::procedure::{Answer, Ask, Procedure};
@@ -70,25 +71,20 @@ impl<'m, 'w, 's> Apply<'m, 'w, 's> {
     /// # Errors
     /// What can be told without the drive: commands, mapping, unknown entries, access, limits, lists, types, memory.
     pub fn new(
-        model: &DriveModel<'m>,
+        model: &'m DriveModel<'m>,
         wanted: &'w [Setting<'w>],
         occasions: &'w [Occasion],
         slots: &'s mut [Slot],
     ) -> Result<Self, SetError<'m>> {
-        for (place, setting) in wanted.iter().enumerate() {
+        for (place, setting) in (0..wanted.len()).zip(wanted) {
             let others = wanted.get(..place).unwrap_or(&[]);
             check(model, setting, others).map_err(|cause| SetError::before(setting.address, cause))?;
             if place >= usize::from(u16::MAX) {
                 return Err(SetError::before(setting.address, SetCause::Room { needed: wanted.len() }));
             }
         }
-        let mut apply = Self {
-            rules: Rules { model: *model, occasions },
-            wanted,
-            slots,
-            phase: Phase::Begin,
-            bytes: [0; 8],
-        };
+        let mut apply =
+            Self { rules: Rules { model, occasions }, wanted, slots, phase: Phase::Begin, bytes: [0; 8] };
         apply.fill()?;
         Ok(apply)
     }
@@ -119,7 +115,7 @@ impl<'m, 'w, 's> Apply<'m, 'w, 's> {
 
     /// The error with names, and with what was written before it.
     pub fn explain(&self, error: &SetError<'m>) -> SetReport<'_, 'm> {
-        SetReport::new(*error, &self.rules.model, self.slots)
+        SetReport::new(*error, self.rules.model, self.slots)
     }
 
     /// Slots for the settings, in their order, then for the other entries of their rules.
@@ -162,7 +158,7 @@ impl<'m, 'w, 's> Apply<'m, 'w, 's> {
     }
 
     fn failed(&self, address: Address, cause: SetCause<'m>) -> SetError<'m> {
-        SetError { address, cause, written: self.written().count() }
+        SetError { address, cause, written: count(self.written()) }
     }
 
     fn refused(&self, error: AccessError) -> SetError<'m> {
@@ -311,10 +307,10 @@ impl<'m, 'w, 's> Apply<'m, 'w, 's> {
     }
 
     fn applied(&self) -> Applied {
-        let of = |effect| self.effects().filter(|(_, e)| *e == effect).count();
+        let of = |effect| count(self.effects().filter(|(_, e)| *e == effect));
         Applied {
-            written: self.written().count(),
-            unchanged: self.slots.iter().filter(|slot| slot.role == Role::Same).count(),
+            written: count(self.written()),
+            unchanged: count(self.slots.iter().filter(|slot| slot.role == Role::Same)),
             at_stop: of(Effect::AtStop),
             power_cycle: of(Effect::PowerCycle),
         }
