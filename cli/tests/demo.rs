@@ -158,6 +158,33 @@ fn the_picture_is_the_same_every_time() {
     }
 }
 
+fn repository(name: &str) -> String {
+    let place = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(name);
+    fs::read_to_string(place).expect("a file of the repository")
+}
+
+/// What the README shows is what the command prints, in that order, and draws.
+#[test]
+fn the_readme_shows_what_it_does() {
+    let place = folder("readme").join("demo.svg");
+    let ran = demo(&sdv3_e(), &["--plot", place.to_str().expect("UTF-8")]);
+    let (printed, readme) = (out(&ran), repository("README.md"));
+    let (_, block) =
+        readme.split_once("$ cargo run -p drivewright -- demo --plot demo.svg\n").expect("the command");
+    let (block, _) = block.split_once("```").expect("its end");
+    let mut lines = printed.lines();
+    for wanted in block.lines().filter(|line| !line.is_empty() && *line != "...") {
+        assert!(lines.any(|line| line == wanted), "README.md: the demonstration does not print\n{wanted}");
+    }
+    assert!(block.lines().count() > 10);
+    let drawn = fs::read_to_string(place).expect("a picture");
+    let update = "run `cargo run -p drivewright -- demo --quiet --plot cli/demo.svg`";
+    assert!(
+        repository("cli/demo.svg") == drawn,
+        "cli/demo.svg is not what the demonstration draws: {update}"
+    );
+}
+
 #[test]
 fn a_drive_without_modes_is_not_shown() {
     let at = folder("bare");

@@ -51,7 +51,7 @@ fn home(actor: &mut Actor<'_, '_, '_, '_>, method: i8) -> Result<String, String>
     actor.number("position", position);
     let rests = actor.told(crate::stage::POSITION, position);
     Ok(format!(
-        "found {} rev from the start of the axis; it stands at {rests}",
+        "home lies {} rev from where the axis was switched on; it stands at {rests}",
         thousandths(origin - start, revolution)
     ))
 }

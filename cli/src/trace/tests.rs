@@ -112,6 +112,17 @@ fn the_picture_holds_what_happened_and_no_markup_of_a_profile() {
     assert!(!shown.contains("NaN") && !shown.contains("inf"));
 }
 
+/// A foreign reader: it finds the texts as they are, and refuses a picture with a tag left open.
+#[test]
+fn the_picture_is_xml() {
+    let shown = svg(&small());
+    let read = roxmltree::Document::parse(&shown).unwrap();
+    let texts: Vec<&str> = read.descendants().filter_map(|node| node.text()).collect();
+    assert!(texts.contains(&"Acme <X1> & more"), "{texts:?}");
+    assert!(texts.contains(&"400.0 ms  OF, \"following\" error, <script>"), "{texts:?}");
+    assert!(roxmltree::Document::parse(&shown.replace("</svg>", "")).is_err());
+}
+
 #[test]
 fn an_empty_trace_is_no_trouble() {
     let nothing = Trace { samples: Vec::new(), events: Vec::new(), ..small() };
