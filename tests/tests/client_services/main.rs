@@ -199,9 +199,8 @@ fn a_set_that_breaks_a_rule_of_the_manual_is_not_written() {
 #[test]
 fn what_process_data_carry_is_not_written_by_sdo() {
     let receive = MODEL.pdo(at(0x1600, 0)).unwrap().entries();
-    let write = WriteContent::new(&MODEL, at(0x607A, 0), Content::Int(5));
-    assert!(write.is_ok(), "it can be written where it is not mapped");
-    let error = drivewright_runtime::client::object::is_free(at(0x607A, 0), receive).unwrap_err();
+    let write = WriteContent::new(&MODEL, at(0x607A, 0), Content::Int(5)).unwrap();
+    let error = write.beside(receive).unwrap_err();
     assert_eq!(error.cause, Cause::MappedInRxPdo);
 }
 
