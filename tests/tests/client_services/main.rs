@@ -90,6 +90,12 @@ fn a_new_drive_has_no_contradiction_and_a_changed_setting_is_found() {
     });
 }
 
+// Handles unlike those of the profile: the drive itself has to refuse them.
+const FREE: Object<u32, Rw, RxTx, Raw> = Object::new(0x6081, 0);
+const LONG: Object<u64, Rw, RxTx, Raw> = Object::new(0x6081, 0);
+const LOCKED: Object<u16, Rw, RxTx, Raw> = Object::new(0x6041, 0);
+const NOWHERE: Object<u16, Rw, RxTx, Raw> = Object::new(0x6FFF, 0);
+
 #[test]
 fn reads_and_writes_end_as_the_manual_says() {
     with_drive(|link| {
@@ -99,11 +105,6 @@ fn reads_and_writes_end_as_the_manual_says() {
             modes.to_string(),
             "profile position, profile velocity, profile torque, homing, interpolated position [0000006Dh]"
         );
-        // A handle without the limits of the profile: the drive itself refuses.
-        const FREE: Object<u32, Rw, RxTx, Raw> = Object::new(0x6081, 0);
-        const LONG: Object<u64, Rw, RxTx, Raw> = Object::new(0x6081, 0);
-        const LOCKED: Object<u16, Rw, RxTx, Raw> = Object::new(0x6041, 0);
-        const NOWHERE: Object<u16, Rw, RxTx, Raw> = Object::new(0x6FFF, 0);
         let cause =
             |result: Result<(), drivewright_runtime::client::object::AccessError>| result.unwrap_err().cause;
         let high = cause(go(link, Write::new(FREE, 60_001).unwrap()));
