@@ -74,6 +74,8 @@ fn without_it_all_alarms_with_the_code_are_named() {
 fn a_message_about_something_else_is_no_evidence() {
     let reset = fault(&mut drive(), Some([0; 8]));
     assert_eq!((reset.is_active(), reset.alarms().count()), (Some(true), 2));
+    let other = fault(&mut drive(), Some([0x05, 0x73, 0x21, 0x26, 0x05, 0x00, 0, 0]));
+    assert_eq!(other.alarms().count(), 2, "the number belongs to the code of the message");
     let contradicting = fault(&mut drive(), Some([0x11, 0x86, 0, 0x77, 0, 0, 0, 0]));
     assert_eq!(contradicting.alarms().count(), 2, "a number that no alarm has");
 }
