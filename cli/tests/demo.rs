@@ -203,10 +203,9 @@ fn a_drive_without_modes_is_not_shown() {
     assert!(err(&ran).contains("states no modes of operation; `drivewright todo x1`"), "{}", err(&ran));
 }
 
-/// No process data, no homing, no alarms: what is there is run over SDO, and what is not is left out.
-#[test]
-fn a_small_drive_shows_what_it_has() {
-    let at = folder("small");
+/// A drive without process data and homing, and with these alarms.
+fn small(name: &str, alarms: &str) -> PathBuf {
+    let at = folder(name);
     fs::write(at.join("drive.toml"), include_str!("../../codegen/tests/fixtures/drive.toml"))
         .expect("a file");
     let object = |(at, name, ty, access, unit): (&str, &str, &str, &str, &str)| {
@@ -216,6 +215,7 @@ fn a_small_drive_shows_what_it_has() {
         )
     };
     let objects: String = [
+        ("603F", "Error code", "u16", "ro", ""),
         ("6040", "Controlword", "u16", "rw", ""),
         ("6041", "Statusword", "u16", "ro", ""),
         ("6060", "Mode", "i8", "rw", ""),
@@ -231,7 +231,14 @@ fn a_small_drive_shows_what_it_has() {
     fs::write(at.join("objects.toml"), format!("objects = [\n{objects}]\n")).expect("a file");
     let modes = "modes = [\n  { mode = 1, name = \"PP\", src = \"1 L1\" },\n  { mode = 3, name = \"PV\", src = \"1 L2\" },\n  { mode = 7, name = \"IP\", src = \"1 L3\" },\n]\n";
     fs::write(at.join("modes.toml"), modes).expect("a file");
-    let ran = demo(&at, &["--json"]);
+    fs::write(at.join("alarms.toml"), format!("alarms = [{alarms}]\n")).expect("a file");
+    at
+}
+
+/// No process data, no homing, no alarms: what is there is run over SDO, and what is not is left out.
+#[test]
+fn a_small_drive_shows_what_it_has() {
+    let ran = demo(&small("small", ""), &["--json"]);
     assert_eq!(ran.status.code(), Some(0), "{}", err(&ran));
     let summary = summary(&ran);
     assert_eq!(number(&summary, "profile velocity", "target"), 300);
@@ -240,5 +247,25 @@ fn a_small_drive_shows_what_it_has() {
         ["interpolated position", "this demonstration has no part for it", "the profile has no alarms"]
     {
         assert!(text.contains(part), "{part}: {text}");
+    }
+}
+
+/// A drive that does not mind silence gets an alarm; one that no reset clears is switched off and on.
+#[test]
+fn the_way_out_of_a_fault_is_that_of_the_alarm() {
+    for (reset, way) in [
+        ("resettable", "by a rising edge of bit 7"),
+        ("not resettable", "by switching the control supply off and on"),
+    ] {
+        let alarm = format!(
+            "{{ display = \"E1\", number = 1, code = 0x2310, name = \"Too much\", reset = \"{reset}\", causes = [\"A short circuit.\"], remedies = [\"Look at the cable.\"], src = \"1 L1\", detail = \"1 L2\" }}"
+        );
+        let ran = demo(&small(&reset.replace(' ', "-"), &alarm), &["--json"]);
+        assert_eq!(ran.status.code(), Some(0), "{reset}: {}", err(&ran));
+        let summary = summary(&ran);
+        assert_eq!(number(&summary, "fault", "code"), 0x2310);
+        let (fault, scenes) = (summary["fault"].to_string(), summary["scenes"].to_string());
+        assert!(fault.contains("A short circuit.") && fault.contains("Look at the cable."), "{fault}");
+        assert!(scenes.contains("raised by hand") && scenes.contains(way), "{reset}: {scenes}");
     }
 }
