@@ -25,6 +25,7 @@ pub mod quantity;
 pub mod row;
 pub mod rule;
 pub mod scale;
+pub mod sim;
 pub mod time;
 pub mod transport;
 pub mod value;
