@@ -2,6 +2,7 @@
 
 use core::time::Duration;
 
+use crate::address::Address;
 use crate::cia402::{Controlword, State, Statusword, StopOption, Transition};
 use crate::model::EsmState;
 use crate::rule::Occasion;
@@ -43,6 +44,7 @@ impl VirtualDrive<'_, '_> {
             return;
         }
         self.watch(cycle);
+        self.watch_probes();
         let word = Controlword(low16(self.memory.used(self.slots.controlword)));
         let options = self.options();
         let transition = self.change_state(word, options, cycle);
@@ -76,6 +78,15 @@ impl VirtualDrive<'_, '_> {
             && matches!(self.state(), State::SwitchedOn | State::OperationEnabled | State::QuickStopActive)
         {
             self.report(Incident::Undervoltage, true);
+        }
+    }
+
+    /// Rules of the touch probe, when its function changes.
+    fn watch_probes(&mut self) {
+        let slot = self.slots.probe_function;
+        let function = self.memory.used(slot);
+        if core::mem::replace(&mut self.probes, function) != function {
+            self.check_rules(slot, Address::new(0x60B8, 0));
         }
     }
 

@@ -65,6 +65,8 @@ pub struct VirtualDrive<'m, 's> {
     pub(super) sent: Layout,
     /// Time since process data came.
     pub(super) silent: Duration,
+    /// 60B8h in the last cycle: process data may carry it.
+    pub(super) probes: i64,
     /// The transition of the last cycle.
     pub(super) transition: Option<Transition>,
     pub(super) supply: bool,
@@ -123,6 +125,7 @@ impl<'m, 's> VirtualDrive<'m, 's> {
             parameters: false,
             sent: Layout::EMPTY,
             silent: Duration::ZERO,
+            probes: 0,
             transition: None,
             supply: true,
             mains: true,
@@ -256,13 +259,19 @@ impl<'m, 's> VirtualDrive<'m, 's> {
 
     /// Alarms that a value raises, and values of which the drive keeps a copy in another form.
     fn written(&mut self, slot: Slot, address: Address) {
+        self.check_rules(slot, address);
+        self.modes.refresh();
+    }
+
+    /// The alarm of a rule that the present value breaks.
+    pub(super) fn check_rules(&mut self, slot: Slot, address: Address) {
         let value = self.memory.used(slot);
+        let model = self.model();
         let raised =
-            rules::broken_by(&self.memory, address, value).find_map(|rule| rules::alarm(self.model(), rule));
+            rules::broken_by(&self.memory, address, value).find_map(|rule| rules::alarm(model, rule));
         if let Some(alarm) = raised {
             self.raise_alarm(alarm, false);
         }
-        self.modes.refresh();
     }
 
     /// The state of the EtherCAT state machine.
