@@ -109,10 +109,14 @@ impl DataType {
     /// assert_eq!(DataType::REAL32.range(), None);
     /// ```
     pub const fn range(self) -> Option<(i128, i128)> {
+        // Ones above the bits of the value. A subtraction would do as well, but the optimizer is to see that none overflows.
         let bits = self.bits() as u32;
         match self.kind() {
-            Kind::Signed => Some((-(1 << (bits - 1)), (1 << (bits - 1)) - 1)),
-            Kind::Unsigned => Some((0, (1 << bits) - 1)),
+            Kind::Signed => {
+                let min = -1 << bits.saturating_sub(1);
+                Some((min, !min))
+            }
+            Kind::Unsigned => Some((0, !(-1 << bits))),
             Kind::Other => None,
         }
     }
