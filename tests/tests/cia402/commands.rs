@@ -161,6 +161,24 @@ fn b04_a_quick_stop_ends_as_its_option_code_says() {
     }
 }
 
+/// Quick stop is a command in three states, and what it leads to differs.
+#[test]
+fn b03_quick_stop_is_known_in_every_state_that_has_power() {
+    let to = |of| actual(of, 0x02, 0, Options::default());
+    assert_eq!(to(State::ReadyToSwitchOn), Some((State::SwitchOnDisabled, 7)));
+    assert_eq!(to(State::SwitchedOn), Some((State::SwitchOnDisabled, 10)));
+    assert_eq!(to(State::OperationEnabled), Some((State::QuickStopActive, 11)));
+    assert_eq!((to(State::SwitchOnDisabled), to(State::Fault)), (None, None), "there is nothing to stop");
+}
+
+/// A bit 7 that stays set resets one fault, not the next.
+#[test]
+fn b05_a_fault_is_reset_by_an_edge() {
+    let reset = |before, word| actual(State::Fault, word, before, Options::default());
+    assert_eq!(reset(0x00, 0x80), Some((State::SwitchOnDisabled, 15)));
+    assert_eq!([reset(0x80, 0x80), reset(0x80, 0x00), reset(0x00, 0x00)], [None; 3]);
+}
+
 /// The seventeen of the standard: number, from, to, and what makes it.
 const SEVENTEEN: &str = "
     0  | any                    | Not ready to switch on | power-on
