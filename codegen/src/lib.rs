@@ -15,6 +15,7 @@ pub mod diff;
 pub mod emit;
 pub mod facts;
 pub mod limits;
+pub mod live;
 pub mod load;
 pub mod merge;
 pub mod model;

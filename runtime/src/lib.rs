@@ -21,6 +21,7 @@ pub mod optional;
 pub mod pdo;
 pub mod procedure;
 pub mod quantity;
+pub mod rule;
 pub mod scale;
 pub mod time;
 pub mod transport;
@@ -49,6 +50,7 @@ pub use wire::{Count, Fixed, Wire, WireError};
 ///     Object::new(0x6081, 0).range(0, 60_000).scale(1, 10);
 /// ```
 pub mod prelude {
+    pub use crate::abort::AbortCode;
     pub use crate::access::{Access, Const, Readable, Ro, Rw, Wo, Writable};
     pub use crate::address::Address;
     pub use crate::bit_field::{BitDesc, BitFieldDesc, Bits};
@@ -56,8 +58,9 @@ pub mod prelude {
     pub use crate::homing::{HomingCase, HomingDesc};
     pub use crate::mapping::{Direction, MapNotStated, Mapping, MapsRx, MapsTx, Rx, RxTx, Tx, Unmapped};
     pub use crate::model::{
-        AlarmDesc, AlarmText, Allowed, DefaultValue, DriveModel, EsmAfter, EsmState, Identity, Led, Meaning,
-        ModelError, ObjectDesc, PdoDesc, Remap, Reset, SyncMode, TextDefault, UnitDesc,
+        AbortDesc, AlarmDesc, AlarmText, Allowed, CommandDesc, DefaultValue, DriveModel, Effect, EffectDesc,
+        EmcyContent, EmcyDesc, EsmAfter, EsmState, Identity, Led, Meaning, ModeDesc, ModelError, ObjectDesc,
+        PdoDesc, Remap, Reset, StateDesc, SyncMode, TerminalDesc, TerminalKind, TextDefault, UnitDesc,
     };
     pub use crate::object::{ConvertError, EncodeError, Object, RangeError};
     pub use crate::pdo::{LayoutMismatch, MapEntry, ProcessData};

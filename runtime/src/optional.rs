@@ -94,6 +94,9 @@ mod tests {
         both::<(Reset, Remap)>();
         both::<(EsmState, EsmAfter)>();
         both::<(SyncMode, Led)>();
+        both::<(Effect, crate::rule::Term)>();
+        both::<(EmcyContent, crate::rule::Occasion)>();
+        both::<TerminalKind>();
         both::<(crate::homing::Step, crate::homing::Level)>();
         both::<(I24, U56)>();
     }

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use drivewright_codegen::backend::rust::Rust;
-use drivewright_codegen::emit;
+use drivewright_codegen::{emit, live};
 use drivewright_tests::cases::{Case, golden_cases};
 
 /// A crate with a module for each of `cases`; `change` edits what is written into each file.
@@ -28,9 +28,12 @@ fn krate(name: &str, cases: &[Case], change: impl Fn(&str) -> String) -> PathBuf
     for case in cases {
         let module = format!("case_{}", case.name.replace('-', "_"));
         let _ = writeln!(lib, "/// A case.\npub mod {module};");
-        self::module(case, &root.join("src").join(module), &change);
+        let folder = root.join("src").join(module);
+        self::module(case, &folder, &change);
+        fs::write(folder.join("live.txt"), loaded(case)).expect("a text");
     }
     lib.push_str(&homing_programs(cases));
+    lib.push_str(&models(cases));
     fs::write(root.join("Cargo.toml"), manifest).expect("a manifest");
     fs::write(root.join("src/lib.rs"), lib).expect("a root");
     root
@@ -62,6 +65,30 @@ fn homing_programs(cases: &[Case]) -> String {
                 );
             }
         }
+    }
+    out + "    }\n}\n"
+}
+
+/// The tables of a case and its alarm texts as they are when the profile is loaded at run time.
+fn loaded(case: &Case) -> String {
+    let (profile, arena) = (case.model(), live::Arena::default());
+    let live = live::tables(&profile, &arena);
+    format!("{:?} {:?}", live.model(), live.alarm_texts())
+}
+
+/// A test of the crate: its tables are those that the profile gives at run time.
+fn models(cases: &[Case]) -> String {
+    let mut out = String::from(
+        "#[cfg(test)]\nmod live {\n    extern crate std;\n    use std::format;\n    #[test]\n    fn tables() {\n",
+    );
+    for case in cases {
+        let module = format!("case_{}", case.name.replace('-', "_"));
+        let _ = writeln!(
+            out,
+            "        let made = format!(\"{{:?}} {{:?}}\", super::{module}::MODEL, super::{module}::alarms::ALARM_TEXTS);\n        \
+             assert_eq!(made, include_str!(\"{module}/live.txt\"), {:?});",
+            case.name
+        );
     }
     out + "    }\n}\n"
 }
@@ -116,7 +143,7 @@ fn golden_rust_compiles_without_warnings() {
     let output = check(&root);
     let said = String::from_utf8_lossy(&output.stdout);
     assert!(output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
-    assert!(said.contains(&format!("{} passed", golden_cases().len() + 1)), "{said}");
+    assert!(said.contains(&format!("{} passed", golden_cases().len() + 2)), "{said}");
     let (said, passed) = examples(&root);
     assert!(passed && said.contains("running 0 tests"), "{said}");
     let documented = cargo(&root, &["doc", "--no-deps"]);

@@ -3,6 +3,8 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
+use drivewright_runtime::rule;
+
 use super::{Address, EmcyContent, EsmAfter, EsmState, Expr, Fact, Led, Occasion, SyncMode, TerminalKind};
 use crate::name::Name;
 
@@ -126,9 +128,8 @@ impl Rule {
 
     /// Whether it holds for these values and is not obeyed; never where one that decides this is unknown.
     pub fn broken(&self, value: impl Fn(Address) -> Option<i128>) -> bool {
-        let value = |expr: &Fact<Expr>| expr.value.value(&value);
-        let holds = self.when.as_ref().map_or(Some(1), value).is_some_and(|when| when != 0);
-        holds && self.require.as_ref().and_then(value) == Some(0)
+        let [when, require] = [&self.when, &self.require].map(|part| Some(part.as_ref()?.value.evaluated()));
+        rule::broken(when, require, |at| value(at.into()))
     }
 }
 

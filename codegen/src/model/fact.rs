@@ -101,6 +101,14 @@ pub struct Origin {
     pub erratum: Option<ErratumId>,
 }
 
+impl Origin {
+    /// Who says it, for a message: the citation, or `standard: cia402`; `None` where neither is known.
+    pub fn source(&self) -> Option<String> {
+        let cite = self.cite.as_ref().map(ToString::to_string);
+        cite.or_else(|| Some(format!("{}: {}", self.class.word(), self.class.detail()?)))
+    }
+}
+
 /// A value and who says so. Equality looks at the value only.
 #[derive(Clone, Debug)]
 pub struct Fact<T> {

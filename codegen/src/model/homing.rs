@@ -1,79 +1,15 @@
 //! The homing language: what an axis does until it has found home, as plain data.
-//!
-//! A method has cases, told apart by the switches at the start, and where these agree by which event comes first. A case
-//! is a list of steps. The rules of the language:
-//!
-//! - An event is a change in time. `+ fast until home off` from a place where the switch is off runs over the switch.
-//! - A move that turns around counts events from when it moves in its own direction; one that goes on in the same
-//!   direction at another speed counts them at once.
-//! - `latch` takes the place of the last event, or after `stop` the place of rest. Home is what was latched; where the
-//!   axis comes to rest is another matter, unless the program says `return`.
+//! What its words mean is said in [`drivewright_runtime::homing`], which defines them.
 
 use std::fmt;
 
-use super::{Edge, Side};
-use super::{Fact, HomingSignal, HomingStart, HomingStatus, Signal};
+pub use drivewright_runtime::homing::{Event, Level, Pace, Step};
 
-/// How fast a move goes.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Pace {
-    /// At the speed for the search of a switch, 6099:01.
-    Fast,
-    /// At the speed for the search of zero, 6099:02.
-    Slow,
-}
-
-/// What ends a move.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Event {
-    /// A switch becomes active (`true`) or inactive.
-    Switch(Signal, bool),
-    /// The first index pulse after the move began.
-    Index,
-    /// The torque reaches the level of the drive for its time (`true`), or falls below it.
-    Torque(bool),
-    /// A hard stop: the torque at its limit and no motion, for the time of the drive.
-    Stall,
-}
-
-/// A step of a homing program.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Step {
-    /// Moves until something happens.
-    Move {
-        /// Where to.
-        direction: Side,
-        /// How fast.
-        pace: Pace,
-        /// Until when.
-        until: Event,
-    },
-    /// Brakes and waits for standstill.
-    Stop,
-    /// Takes home.
-    Latch,
-    /// Goes back to what was latched.
-    Return,
-    /// The axis is at home already.
-    Done,
-    /// The manual does not say what follows.
-    NotStated,
-}
+use super::{Edge, Fact, HomingSignal, HomingStart, HomingStatus, Side, Signal};
 
 /// A homing program.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Moves(pub Vec<Step>);
-
-/// What is seen at the start.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Level {
-    /// A switch is active (`true`) or inactive.
-    Switch(Signal, bool),
-    /// The axis does not move.
-    Standstill,
-    /// The axis stands at home.
-    AtHome,
-}
 
 /// What is seen at the start, all of it; nothing: any start.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -123,66 +59,15 @@ pub struct HomingMethod {
     pub deviation: Option<String>,
 }
 
-/// Two things as text, one of them for each value of a flag.
-fn on_off(on: bool) -> &'static str {
-    if on { "on" } else { "off" }
-}
-
-impl fmt::Display for Event {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Switch(signal, on) => write!(f, "{} {}", signal.word(), on_off(*on)),
-            Self::Index => f.write_str("index"),
-            Self::Torque(on) => write!(f, "torque {}", on_off(*on)),
-            Self::Stall => f.write_str("stall"),
-        }
-    }
-}
-
-impl fmt::Display for Step {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Move { direction, pace, until } => {
-                let sign = if *direction == Side::Negative { '-' } else { '+' };
-                let pace = if *pace == Pace::Fast { "fast" } else { "slow" };
-                write!(f, "{sign} {pace} until {until}")
-            }
-            Self::Stop => f.write_str("stop"),
-            Self::Latch => f.write_str("latch"),
-            Self::Return => f.write_str("return"),
-            Self::Done => f.write_str("done"),
-            Self::NotStated => f.write_str("not stated"),
-        }
-    }
-}
-
-impl fmt::Display for Level {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Switch(signal, on) => write!(f, "{} {}", signal.word(), on_off(*on)),
-            Self::Standstill => f.write_str("standstill"),
-            Self::AtHome => f.write_str("at_home"),
-        }
-    }
-}
-
-/// Items with something between them.
-fn joined<T: fmt::Display>(items: &[T], between: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    for (n, item) in items.iter().enumerate() {
-        write!(f, "{}{item}", if n == 0 { "" } else { between })?;
-    }
-    Ok(())
-}
-
 impl fmt::Display for Moves {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        joined(&self.0, "; ", f)
+        drivewright_runtime::homing::Moves(&self.0).fmt(f)
     }
 }
 
 impl fmt::Display for When {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.0.is_empty() { f.write_str("any") } else { joined(&self.0, ", ", f) }
+        drivewright_runtime::homing::When(&self.0).fmt(f)
     }
 }
 

@@ -26,6 +26,18 @@ impl fmt::Display for Address {
     }
 }
 
+impl From<Address> for drivewright_runtime::Address {
+    fn from(at: Address) -> Self {
+        Self::new(at.index, at.sub)
+    }
+}
+
+impl From<drivewright_runtime::Address> for Address {
+    fn from(at: drivewright_runtime::Address) -> Self {
+        Self::new(at.index(), at.sub())
+    }
+}
+
 /// A place in an [`Arena`].
 pub trait Id: Copy {
     /// The id of place `n`.

@@ -251,6 +251,24 @@ impl Model {
         method.same.as_ref().map_or(Some(method), |same| find(same.value))
     }
 
+    /// The distinct units of entries, in the order of the entries.
+    pub fn units(&self) -> Vec<&Unit> {
+        let mut units: Vec<&Unit> = Vec::new();
+        for unit in self.entries.as_slice().iter().filter_map(|entry| entry.unit.as_ref()) {
+            if !units.contains(&&unit.value) {
+                units.push(&unit.value);
+            }
+        }
+        units
+    }
+
+    /// The entry that gives a terminal its function: the one with the number of its parameter.
+    pub fn function_of(&self, terminal: &Terminal) -> Option<Address> {
+        let parameter = &terminal.parameter.as_ref()?.value;
+        let is_it = |entry: &&Entry| entry.parameter.as_ref().is_some_and(|p| p.value == *parameter);
+        self.entries.as_slice().iter().find(is_it).map(|entry| entry.address)
+    }
+
     /// The object at `index`.
     pub fn object(&self, index: u16) -> Option<&Object> {
         let at = self.objects.as_slice().binary_search_by_key(&index, |o| o.index).ok()?;

@@ -233,6 +233,13 @@ pub struct Alarm {
     pub detection: Detection,
 }
 
+impl Alarm {
+    /// Whether the manual says more of it than what it is called and how it is reset.
+    pub fn is_explained(&self) -> bool {
+        !self.causes.is_empty() || !self.remedies.is_empty() || self.detection != Detection::default()
+    }
+}
+
 impl Erratum {
     /// What is used: `used 5`, `dropped` or `kept`; `value` says how the value is written.
     pub fn outcome(&self, value: impl Fn(&str) -> String) -> String {

@@ -24,6 +24,14 @@ macro_rules! quantities {
                 }
             }
         }
+
+        impl From<Quantity> for drivewright_runtime::quantity::QuantityKind {
+            fn from(quantity: Quantity) -> Self {
+                match quantity {
+                    $(Quantity::$variant => Self::$variant,)+
+                }
+            }
+        }
     };
 }
 

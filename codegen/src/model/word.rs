@@ -1,5 +1,9 @@
 //! Values that a profile writes as one of some words.
 
+pub use drivewright_runtime::homing::{Edge, HomingSignal, HomingStart, HomingStatus, Side, Signal};
+pub use drivewright_runtime::model::{Effect, EmcyContent, EsmAfter, EsmState, Led, SyncMode, TerminalKind};
+pub use drivewright_runtime::rule::Occasion;
+
 /// A value that stands for one of a fixed list of words.
 pub trait Worded: Copy + 'static {
     /// Every value, in the order of the documentation.
@@ -43,6 +47,24 @@ macro_rules! worded {
             }
         }
     )+};
+}
+
+/// Words that programs for a drive know, too: the runtime defines them.
+macro_rules! worded_by_runtime {
+    ($($name:ident)+) => {$(
+        impl Worded for $name {
+            const ALL: &'static [Self] = $name::ALL;
+
+            fn word(self) -> &'static str {
+                $name::word(self)
+            }
+        }
+    )+};
+}
+
+worded_by_runtime! {
+    Edge Effect EmcyContent EsmAfter EsmState HomingSignal HomingStart HomingStatus Led Occasion Side Signal SyncMode
+    TerminalKind
 }
 
 worded! {
@@ -92,82 +114,6 @@ worded! {
         Medium = "medium",
         /// A choice that a device must confirm.
         Low = "low",
-    }
-
-    /// When a written parameter takes effect.
-    Effect {
-        /// At once.
-        AtOnce = "at once",
-        /// At the next standstill.
-        AtStop = "at stop",
-        /// After the next power cycle.
-        PowerCycle = "power cycle",
-    }
-
-    /// A state of the EtherCAT state machine.
-    EsmState {
-        /// Init.
-        Init = "Init",
-        /// Pre-Operational.
-        PreOp = "PreOP",
-        /// Safe-Operational.
-        SafeOp = "SafeOP",
-        /// Operational.
-        Op = "OP",
-    }
-
-    /// The state of the EtherCAT state machine after an alarm.
-    EsmAfter {
-        /// Init.
-        Init = "Init",
-        /// Pre-Operational.
-        PreOp = "PreOP",
-        /// Safe-Operational.
-        SafeOp = "SafeOP",
-        /// Operational.
-        Op = "OP",
-        /// The one before.
-        Kept = "kept",
-        /// The one that the master asks for.
-        Requested = "requested",
-    }
-
-    /// The synchronization in which an alarm is detected.
-    SyncMode {
-        /// Every one.
-        All = "all",
-        /// Distributed clocks.
-        Dc = "dc",
-        /// Free run.
-        FreeRun = "free run",
-    }
-
-    /// What the error indicator shows.
-    Led {
-        /// Off.
-        Off = "off",
-        /// On.
-        On = "on",
-        /// Blinking.
-        Blinking = "blinking",
-        /// One flash, then a pause.
-        SingleFlash = "single flash",
-        /// Two flashes, then a pause.
-        DoubleFlash = "double flash",
-    }
-
-    /// What a terminal is.
-    TerminalKind {
-        /// A digital input.
-        Input = "input",
-        /// A digital output.
-        Output = "output",
-        /// A common line of inputs or outputs.
-        Common = "common",
-        /// A supply or its ground.
-        Supply = "supply",
-        /// A port of the bus.
-        Port = "port",
     }
 
     /// What a SyncManager carries.
@@ -266,100 +212,6 @@ worded! {
         HighEqual = "high equal",
         /// Those with this high word and this or a higher low word.
         HighEqualLowOrHigher = "high equal, low equal or higher",
-    }
-
-    /// Whether a drive has a homing method.
-    HomingStatus {
-        /// It has it.
-        Supported = "supported",
-        /// The number is kept for later.
-        Reserved = "reserved",
-        /// The manual names it and says that the drive does not have it.
-        NotAvailable = "not available",
-    }
-
-    /// Direction of the first move of a homing method.
-    HomingStart {
-        /// Towards lower positions.
-        Negative = "negative",
-        /// Towards higher positions.
-        Positive = "positive",
-        /// It depends on the switch at the start.
-        BySwitch = "by switch",
-    }
-
-    /// What a homing method looks for.
-    HomingSignal {
-        /// The negative limit switch.
-        NegativeLimit = "negative_limit",
-        /// The positive limit switch.
-        PositiveLimit = "positive_limit",
-        /// The home switch.
-        Home = "home",
-        /// The index pulse of the encoder.
-        Index = "index",
-        /// A hard stop.
-        Stall = "stall",
-        /// The place where the axis stands.
-        Here = "here",
-    }
-
-    /// A side, seen from a signal.
-    Side {
-        /// Lower positions.
-        Negative = "negative",
-        /// Higher positions.
-        Positive = "positive",
-    }
-
-    /// A change of a signal, as time goes on.
-    Edge {
-        /// It becomes active.
-        Rising = "rising",
-        /// It becomes inactive.
-        Falling = "falling",
-    }
-
-    /// A switch that homing looks at.
-    Signal {
-        /// The negative limit switch.
-        NegativeLimit = "negative_limit",
-        /// The positive limit switch.
-        PositiveLimit = "positive_limit",
-        /// The home switch.
-        Home = "home",
-    }
-
-    /// When a rule must hold.
-    Occasion {
-        /// With distributed clocks.
-        Dc = "dc",
-        /// In free run.
-        FreeRun = "free run",
-        /// When homing is started.
-        StartHoming = "start homing",
-        /// While homing runs.
-        WhileHoming = "while homing",
-        /// When the drive is enabled.
-        Enable = "enable",
-        /// When a state of the EtherCAT state machine is asked for.
-        EsmChange = "esm change",
-        /// When process data are mapped or assigned.
-        Remap = "remap",
-    }
-
-    /// What bytes of an emergency message hold.
-    EmcyContent {
-        /// The error code, as 603Fh has it.
-        ErrorCode = "error code",
-        /// The error register, 1001h.
-        ErrorRegister = "error register",
-        /// The maker's number of the alarm.
-        ErrorNumber = "error number",
-        /// The maker's auxiliary code.
-        AuxiliaryCode = "auxiliary code",
-        /// Nothing.
-        Reserved = "reserved",
     }
 }
 

@@ -9,6 +9,7 @@ use crate::diag::code;
 use crate::limits;
 use crate::model::{Address, Expr, OPERATORS, Op, Term};
 use crate::raw::RawValue;
+use drivewright_runtime::rule::DEPTH;
 
 /// What waits for what stands right of it.
 enum Waiting {
@@ -84,11 +85,11 @@ impl Parser<'_> {
     }
 
     fn operator(&mut self) -> Result<(), Expected> {
-        let found = OPERATORS.iter().find(|(text, ..)| self.rest.starts_with(text));
-        let Some((text, op, strength)) = found else {
+        let found = OPERATORS.iter().find(|(op, _)| self.rest.starts_with(op.word()));
+        let Some((op, strength)) = found else {
             return Err(wrong(format!("`{}` is no operator", self.rest)));
         };
-        self.token(text);
+        self.token(op.word());
         while let Some(Waiting::Operator(waiting, other)) = self.waiting.last()
             && other >= strength
         {
@@ -102,7 +103,7 @@ impl Parser<'_> {
 
 fn operand(word: &str) -> Result<Term, Expected> {
     if let Some(At { index, sub: Sub::One(sub) }) = At::parse(word).filter(|_| word.contains(':')) {
-        return Ok(Term::Object(Address::new(index, sub)));
+        return Ok(Term::Object(Address::new(index, sub).into()));
     }
     let number = match word.strip_prefix("0x") {
         Some(hex) if hex.bytes().all(|b| b.is_ascii_hexdigit()) => i64::from_str_radix(hex, 16).ok(),
@@ -121,7 +122,12 @@ impl FromRaw for Expr {
     fn from_raw(raw: &RawValue) -> Result<Self, Expected> {
         let text = checked_text(raw, limits::TEXT_BYTES)?;
         let parser = Parser { rest: text.trim(), terms: Vec::new(), waiting: Vec::new() };
-        Ok(Self { text: text.to_owned(), terms: parser.run()? })
+        let expr = Self { text: text.to_owned(), terms: parser.run()? };
+        // What the parser makes is balanced, so that only its depth can stand against it.
+        expr.evaluated().depth().map(|_| ()).ok_or_else(|| {
+            wrong(format!("more than {DEPTH} values wait for their operators: the expression nests too deep"))
+        })?;
+        Ok(expr)
     }
 }
 
@@ -158,5 +164,13 @@ mod tests {
             assert_eq!(value(text).map_err(|e| e.code), Err(code::BAD_EXPRESSION), "{text}");
         }
         assert!(value(&"(".repeat(4_000)).is_err(), "no recursion");
+    }
+
+    #[test]
+    fn what_nests_deeper_than_the_runtime_evaluates_is_refused() {
+        let nested = |numbers: usize| format!("{}1{}", "1 + (".repeat(numbers - 1), ")".repeat(numbers - 1));
+        assert_eq!(value(&nested(DEPTH)), Ok(Some(16)));
+        assert_eq!(value(&nested(DEPTH + 1)).map_err(|e| e.code), Err(code::BAD_EXPRESSION));
+        assert_eq!(value(&format!("{}1", "1 + ".repeat(500))), Ok(Some(501)), "long is not deep");
     }
 }

@@ -27,6 +27,9 @@ pub mod alarms;
 pub mod homing;
 
 #[rustfmt::skip]
+pub mod behaviour;
+
+#[rustfmt::skip]
 pub mod table;
 
 pub use table::MODEL;

@@ -812,7 +812,15 @@ pub static MODEL: DriveModel<'static> = DriveModel::new(
 .with_bit_fields(&BIT_FIELDS)
 .with_pdos(&PDOS)
 .with_alarms(&ALARMS)
-.with_homing(&super::homing::HOMING);
+.with_homing(&super::homing::HOMING)
+.with_effects(&super::behaviour::EFFECTS)
+.with_modes(&super::behaviour::MODES)
+.with_states(&super::behaviour::STATES)
+.with_commands(&super::behaviour::COMMANDS)
+.with_aborts(&super::behaviour::ABORTS)
+.with_emcy(&super::behaviour::EMCY)
+.with_terminals(&super::behaviour::TERMINALS)
+.with_rules(&super::behaviour::RULES);
 
 #[cfg(test)]
 mod tests {

@@ -55,6 +55,11 @@ pub enum ModelError {
         /// The method.
         number: i8,
     },
+    /// The conditions of a rule cannot be evaluated.
+    Rule {
+        /// Its place in the table, from 0.
+        place: usize,
+    },
 }
 
 impl fmt::Display for ModelError {
@@ -78,6 +83,7 @@ impl fmt::Display for ModelError {
             Self::Homing { number } => {
                 write!(f, "homing method {number} is out of order or the same as one without a program")
             }
+            Self::Rule { place } => write!(f, "the conditions of rule {place} cannot be evaluated"),
             Self::TooLong { pdo } => write!(f, "{pdo} maps more than it can hold"),
         }
     }
@@ -94,7 +100,11 @@ impl<'m> DriveModel<'m> {
         ascending(self.objects().iter().map(ObjectDesc::address))?;
         ascending(self.allowed().iter().map(super::Allowed::address))?;
         ascending(self.texts().iter().map(super::TextDefault::address))?;
+        ascending(self.effects().iter().map(super::EffectDesc::address))?;
         self.homing_fits()?;
+        if let Some(place) = self.rules().iter().position(|rule| !rule.is_sound()) {
+            return Err(ModelError::Rule { place });
+        }
         self.objects().iter().try_for_each(|object| self.references_lead_somewhere(object))?;
         self.pdos().iter().try_for_each(|pdo| self.pdo_is_possible(pdo))
     }
@@ -163,6 +173,7 @@ fn holds(fact: bool, error: ModelError) -> Result<(), ModelError> {
 mod tests {
     use super::*;
     use crate::prelude::*;
+    use crate::rule::{Op, RuleDesc, Term};
 
     fn row(index: u16, sub: u8) -> ObjectDesc<'static> {
         ObjectDesc::new(Address::new(index, sub), DataType::UNSIGNED16, Access::Rw, Mapping::Rx, "x")
@@ -201,6 +212,27 @@ mod tests {
         assert_eq!(check(&[one, one]), Err(ModelError::Homing { number: 1 }));
         assert_eq!(check(&[HomingDesc::new(1), two]), Err(ModelError::Homing { number: 2 }));
         assert_eq!(check(&[two]), Err(ModelError::Homing { number: 2 }));
+    }
+
+    #[test]
+    fn rules_can_be_evaluated() {
+        let check =
+            |rules: &[RuleDesc<'_>]| DriveModel::new(Identity::new("x", "y", "z")).with_rules(rules).check();
+        let sound = RuleDesc::new("R1", "").with_require(&[Term::Number(1)]);
+        let lost = RuleDesc::new("R2", "").with_when(&[Term::Number(1), Term::Apply(Op::Add)]);
+        assert_eq!(check(&[sound]), Ok(()));
+        assert_eq!(check(&[sound, lost]), Err(ModelError::Rule { place: 1 }));
+    }
+
+    #[test]
+    fn effects_ascend() {
+        let at = |index| EffectDesc::new(Address::new(index, 0), Effect::AtStop);
+        let check = |effects: &[EffectDesc]| {
+            DriveModel::new(Identity::new("x", "y", "z")).with_effects(effects).check()
+        };
+        assert_eq!(check(&[at(1), at(2)]), Ok(()));
+        let address = Address::new(1, 0);
+        assert_eq!(check(&[at(2), at(1)]), Err(ModelError::NotAscending { address }));
     }
 
     #[test]

@@ -1,22 +1,29 @@
-//! A drive as data: what is in its dictionary, its process data and its alarms.
+//! A drive as data: what is in its dictionary, its process data, its alarms and how it behaves.
 //!
 //! The tables are slices with a lifetime, so that a generated crate's statics and tables that a program builds at run
 //! time from a profile are of one type. Rows are made by constructors that name what is always known; builder methods
 //! add the rest, so that a new column does not break what was generated before.
 
 mod alarm;
+mod behaviour;
 mod detection;
 mod identity;
 mod integrity;
 mod object;
 mod pdo;
 
+use crate::abort::AbortCode;
 use crate::address::Address;
 use crate::bit_field::BitFieldDesc;
 use crate::homing::HomingDesc;
+use crate::rule::{Occasion, RuleDesc};
 use crate::wire_enum::EnumDesc;
 
 pub use alarm::{alarms_by_code, AlarmDesc, AlarmText, Reset};
+pub use behaviour::{
+    AbortDesc, CommandDesc, Effect, EffectDesc, EmcyContent, EmcyDesc, ModeDesc, StateDesc, TerminalDesc,
+    TerminalKind,
+};
 pub use detection::{EsmAfter, EsmState, Led, SyncMode};
 pub use identity::Identity;
 pub use integrity::ModelError;
@@ -56,6 +63,14 @@ pub struct DriveModel<'m> {
     pdos: &'m [PdoDesc<'m>],
     alarms: &'m [AlarmDesc<'m>],
     homing_methods: &'m [HomingDesc<'m>],
+    effects: &'m [EffectDesc],
+    modes: &'m [ModeDesc<'m>],
+    states: &'m [StateDesc<'m>],
+    commands: &'m [CommandDesc<'m>],
+    aborts: &'m [AbortDesc<'m>],
+    emcy: &'m [EmcyDesc],
+    terminals: &'m [TerminalDesc<'m>],
+    rules: &'m [RuleDesc<'m>],
 }
 
 impl<'m> DriveModel<'m> {
@@ -72,18 +87,26 @@ impl<'m> DriveModel<'m> {
             pdos: &[],
             alarms: &[],
             homing_methods: &[],
+            effects: &[],
+            modes: &[],
+            states: &[],
+            commands: &[],
+            aborts: &[],
+            emcy: &[],
+            terminals: &[],
+            rules: &[],
         }
     }
 }
 
 /// A builder method and a getter for every table.
 macro_rules! tables {
-    ($($(#[$doc:meta])* $name:ident, $with:ident: $row:ident;)*) => {
+    ($($(#[$doc:meta])* $name:ident, $with:ident: $row:ident $(<$life:lifetime>)?;)*) => {
         impl<'m> DriveModel<'m> {
             $(
                 #[doc = concat!("With this table of `", stringify!($row), "`.")]
                 #[must_use]
-                pub const fn $with(self, $name: &'m [$row<'m>]) -> Self {
+                pub const fn $with(self, $name: &'m [$row $(<$life>)?]) -> Self {
                     Self { $name, ..self }
                 }
             )*
@@ -93,7 +116,7 @@ macro_rules! tables {
         impl<'m> DriveModel<'m> {
             $(
                 $(#[$doc])*
-                pub const fn $name(&self) -> &'m [$row<'m>] {
+                pub const fn $name(&self) -> &'m [$row $(<$life>)?] {
                     self.$name
                 }
             )*
@@ -103,23 +126,39 @@ macro_rules! tables {
 
 tables! {
     /// Entries of the dictionary, ascending by address.
-    objects, with_objects: ObjectDesc;
+    objects, with_objects: ObjectDesc<'m>;
     /// Units that entries refer to by number.
-    units, with_units: UnitDesc;
+    units, with_units: UnitDesc<'m>;
     /// Entries that take listed values only, ascending by address.
-    allowed, with_allowed: Allowed;
+    allowed, with_allowed: Allowed<'m>;
     /// Entries whose default is a text, ascending by address.
-    texts, with_texts: TextDefault;
+    texts, with_texts: TextDefault<'m>;
     /// Value tables that entries refer to by number.
-    enums, with_enums: EnumDesc;
+    enums, with_enums: EnumDesc<'m>;
     /// Bit tables that entries refer to by number.
-    bit_fields, with_bit_fields: BitFieldDesc;
+    bit_fields, with_bit_fields: BitFieldDesc<'m>;
     /// Process data as the drive ships.
-    pdos, with_pdos: PdoDesc;
+    pdos, with_pdos: PdoDesc<'m>;
     /// Faults and warnings.
-    alarms, with_alarms: AlarmDesc;
+    alarms, with_alarms: AlarmDesc<'m>;
     /// Homing methods, ascending by number; empty where the manual describes none.
-    homing_methods, with_homing: HomingDesc;
+    homing_methods, with_homing: HomingDesc<'m>;
+    /// Entries of which the manual says when a written value takes effect, ascending by address.
+    effects, with_effects: EffectDesc;
+    /// Modes of operation, ascending by number; empty where the manual lists none.
+    modes, with_modes: ModeDesc<'m>;
+    /// States as the statusword shows them; empty where the manual prints none, and CiA 402 holds.
+    states, with_states: StateDesc<'m>;
+    /// Commands as the controlword gives them; empty where the manual prints none, and CiA 402 holds.
+    commands, with_commands: CommandDesc<'m>;
+    /// Abort codes of SDO transfers, ascending; empty where the manual prints none, and CiA 301 holds.
+    aborts, with_aborts: AbortDesc<'m>;
+    /// The emergency message, by byte; empty where the manual does not describe it.
+    emcy, with_emcy: EmcyDesc;
+    /// Terminals, in the order of the manual.
+    terminals, with_terminals: TerminalDesc<'m>;
+    /// Rules between values, by id.
+    rules, with_rules: RuleDesc<'m>;
 }
 
 impl<'m> DriveModel<'m> {
@@ -188,6 +227,28 @@ impl<'m> DriveModel<'m> {
         let find = |number| self.homing_methods.iter().find(|method| method.number() == number);
         let method = find(number)?;
         method.same().map_or(Some(method), find)
+    }
+
+    /// When a value written to `address` takes effect; `None` where the manual does not say.
+    pub fn effect_of(&self, address: Address) -> Option<Effect> {
+        let at = self.effects.binary_search_by_key(&address, EffectDesc::address).ok()?;
+        self.effects.get(at).map(EffectDesc::effect)
+    }
+
+    /// The mode of operation that 6060h calls `number`; `None` where the manual does not list it.
+    pub fn mode(&self, number: i8) -> Option<&'m ModeDesc<'m>> {
+        self.modes.iter().find(|mode| mode.number() == number)
+    }
+
+    /// What an abort code means for this drive; `None` where its manual does not list it.
+    pub fn abort(&self, code: AbortCode) -> Option<&'m AbortDesc<'m>> {
+        self.aborts.iter().find(|abort| abort.code() == code)
+    }
+
+    /// The rules that must hold on this occasion; with `None` those that must hold always, which are not among those of
+    /// an occasion.
+    pub fn rules_on(&self, occasion: Option<Occasion>) -> impl Iterator<Item = &'m RuleDesc<'m>> {
+        self.rules.iter().filter(move |rule| rule.on() == occasion)
     }
 
     /// The alarm that the panel shows as `display` and the maker numbers `number`.

@@ -6,6 +6,7 @@ use std::vec::Vec;
 use super::*;
 use crate::homing::*;
 use crate::prelude::*;
+use crate::rule::{Occasion, Op, RuleDesc, Term};
 use crate::wire_enum::EnumValue;
 
 const fn at(index: u16, sub: u8) -> Address {
@@ -61,6 +62,31 @@ static HOMING: [HomingDesc<'static>; 4] = [
     HomingDesc::new(35).with_same(37),
     HomingDesc::new(37).with_cases(&CASES),
 ];
+static EFFECTS: [EffectDesc; 2] =
+    [EffectDesc::new(at(0x6060, 0), Effect::AtStop), EffectDesc::new(at(0x607D, 2), Effect::PowerCycle)];
+static MODE_TABLE: [ModeDesc<'static>; 1] = [ModeDesc::new(6, "Homing mode").with_objects(&[at(0x6098, 0)])];
+static STATES: [StateDesc<'static>; 2] =
+    [StateDesc::new("Switched on", 0x6F, 0x23), StateDesc::new("Fault", 0x4F, 0x08)];
+static COMMANDS: [CommandDesc<'static>; 2] = [
+    CommandDesc::new("Shutdown", 0x87, 0x06).with_transitions(&[2, 6, 8]),
+    CommandDesc::new("Fault reset", 0x80, 0x80).on_edge(),
+];
+static ABORTS: [AbortDesc<'static>; 1] =
+    [AbortDesc::new(AbortCode::READ_ONLY, "Write to a read-only object")];
+static EMCY: [EmcyDesc; 1] = [EmcyDesc::new(4, 2, EmcyContent::AuxiliaryCode)];
+static TERMINALS: [TerminalDesc<'static>; 1] = [TerminalDesc::new("EI1", TerminalKind::Input)
+    .with_object(at(0x60FD, 0))
+    .with_bit(2)
+    .with_function(at(0x3002, 1))];
+static RULES: [RuleDesc<'static>; 3] = [
+    RuleDesc::new("R1", "always").with_require(&[
+        Term::Object(at(0x6060, 0)),
+        Term::Number(0),
+        Term::Apply(Op::More),
+    ]),
+    RuleDesc::new("R2", "a mode is set").with_on(Occasion::Enable),
+    RuleDesc::new("R3", "in words only"),
+];
 static MODEL: DriveModel<'static> =
     DriveModel::new(Identity::new("acme-x3", "Acme", "X3").with_vendor_id(0x4321))
         .with_objects(&OBJECTS)
@@ -71,7 +97,15 @@ static MODEL: DriveModel<'static> =
         .with_texts(&TEXTS)
         .with_pdos(&PDOS)
         .with_alarms(&ALARMS)
-        .with_homing(&HOMING);
+        .with_homing(&HOMING)
+        .with_effects(&EFFECTS)
+        .with_modes(&MODE_TABLE)
+        .with_states(&STATES)
+        .with_commands(&COMMANDS)
+        .with_aborts(&ABORTS)
+        .with_emcy(&EMCY)
+        .with_terminals(&TERMINALS)
+        .with_rules(&RULES);
 
 fn object(index: u16, sub: u8) -> &'static ObjectDesc<'static> {
     MODEL.object(at(index, sub)).unwrap()
@@ -194,6 +228,45 @@ fn homing_methods_are_found_by_number_and_followed() {
         (case.abort().map(|a| a.0), case.mask()),
         (Some(&[Level::on(Signal::Home)][..]), &[Signal::NegativeLimit][..])
     );
+}
+
+#[test]
+fn effects_are_stated_or_not() {
+    assert_eq!(MODEL.effect_of(at(0x607D, 2)), Some(Effect::PowerCycle));
+    assert_eq!(MODEL.effect_of(at(0x607D, 1)), None);
+}
+
+#[test]
+fn behaviour_is_found_by_its_key() {
+    let mode = MODEL.mode(6).unwrap();
+    assert_eq!((mode.name(), mode.objects(), MODEL.mode(1)), ("Homing mode", &[at(0x6098, 0)][..], None));
+    let named = MODEL.abort(AbortCode(0x0601_0002)).map(AbortDesc::name);
+    assert_eq!((named, MODEL.abort(AbortCode::GENERAL)), (Some("Write to a read-only object"), None));
+    let ids = |on| MODEL.rules_on(on).map(RuleDesc::id).collect::<Vec<_>>();
+    assert_eq!((ids(None), ids(Some(Occasion::Enable))), (Vec::from(["R1", "R3"]), Vec::from(["R2"])));
+    assert_eq!(ids(Some(Occasion::Remap)), [""; 0]);
+}
+
+#[test]
+fn words_show_states_and_give_commands() {
+    let [on, fault] = STATES;
+    assert!(on.matches(0x0633) && !on.matches(0x0637) && fault.matches(0x0218));
+    assert_eq!((on.name(), on.mask(), on.value()), ("Switched on", 0x6F, 0x23));
+    let [shutdown, reset] = COMMANDS;
+    assert!(shutdown.matches(0x0116) && !shutdown.matches(0x0007) && reset.matches(0x0080));
+    assert_eq!((shutdown.edge(), shutdown.transitions()), (false, &[2, 6, 8][..]));
+    assert_eq!((reset.name(), reset.mask(), reset.value(), reset.edge()), ("Fault reset", 0x80, 0x80, true));
+}
+
+#[test]
+fn the_emergency_message_and_terminals_are_rows() {
+    let part = MODEL.emcy()[0];
+    assert_eq!((part.byte(), part.bytes(), part.holds().word()), (4, 2, "auxiliary code"));
+    let input = MODEL.terminals()[0];
+    assert_eq!((input.name(), input.kind(), input.bit()), ("EI1", TerminalKind::Input, Some(2)));
+    assert_eq!((input.object(), input.function()), (Some(at(0x60FD, 0)), Some(at(0x3002, 1))));
+    let supply = TerminalDesc::new("GND", TerminalKind::Supply);
+    assert_eq!((supply.object(), supply.bit(), supply.function()), (None, None, None));
 }
 
 #[test]

@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use super::items;
+use super::items::{self, variants};
 use crate::backend::rust::lower::Lowered;
 use crate::emit::escape::rust_str;
-use crate::model::{Alarm, Detection, EsmAfter, EsmState, Fact, Led, Reset, SyncMode};
+use crate::model::{Alarm, Detection, Fact, Reset};
 
 pub(super) fn body(lowered: &Lowered<'_>) -> String {
     let alarms = &lowered.model.alarms;
@@ -16,9 +16,7 @@ pub(super) fn body(lowered: &Lowered<'_>) -> String {
         "AlarmDesc",
         alarms.iter().map(row),
     ));
-    let silent = Detection::default();
-    let told =
-        alarms.iter().filter(|a| !a.causes.is_empty() || !a.remedies.is_empty() || a.detection != silent);
+    let told = alarms.iter().filter(|a| a.is_explained());
     let doc = "Causes, remedies and what EtherCAT shows, where the manual says so. No other table refers to it: it is \
         linked only when it is named.";
     out.push_str(&items::table(doc, "ALARM_TEXTS", "AlarmText", told.map(text)));
@@ -61,48 +59,12 @@ fn text(alarm: &Alarm) -> String {
 
 /// Builder calls for how an alarm shows on EtherCAT.
 fn detection(detection: &Detection) -> String {
-    let state = |s: &EsmState| match s {
-        EsmState::Init => "EsmState::Init",
-        EsmState::PreOp => "EsmState::PreOp",
-        EsmState::SafeOp => "EsmState::SafeOp",
-        EsmState::Op => "EsmState::Op",
-    };
-    let esm = detection.esm.as_ref().map(|e| e.value.iter().map(state).collect::<Vec<_>>().join(", "));
     let calls = [
-        esm.map(|list| format!(".with_esm(&[{list}])")),
-        detection.esm_after.as_ref().map(|e| format!(".with_esm_after(EsmAfter::{})", after(e.value))),
-        detection.sync.as_ref().map(|s| format!(".with_sync(SyncMode::{})", sync(s.value))),
+        detection.esm.as_ref().map(|e| format!(".with_esm(&[{}])", variants("EsmState", &e.value))),
+        detection.esm_after.as_ref().map(|e| format!(".with_esm_after(EsmAfter::{:?})", e.value)),
+        detection.sync.as_ref().map(|s| format!(".with_sync(SyncMode::{:?})", s.value)),
         detection.al_status.as_ref().map(|n| format!(".with_al_status(0x{:04X})", n.value)),
-        detection.led.as_ref().map(|l| format!(".with_led(Led::{})", led(l.value))),
+        detection.led.as_ref().map(|l| format!(".with_led(Led::{:?})", l.value)),
     ];
     calls.into_iter().flatten().collect()
-}
-
-fn after(state: EsmAfter) -> &'static str {
-    match state {
-        EsmAfter::Init => "Init",
-        EsmAfter::PreOp => "PreOp",
-        EsmAfter::SafeOp => "SafeOp",
-        EsmAfter::Op => "Op",
-        EsmAfter::Kept => "Kept",
-        EsmAfter::Requested => "Requested",
-    }
-}
-
-fn sync(mode: SyncMode) -> &'static str {
-    match mode {
-        SyncMode::All => "All",
-        SyncMode::Dc => "Dc",
-        SyncMode::FreeRun => "FreeRun",
-    }
-}
-
-fn led(led: Led) -> &'static str {
-    match led {
-        Led::Off => "Off",
-        Led::On => "On",
-        Led::Blinking => "Blinking",
-        Led::SingleFlash => "SingleFlash",
-        Led::DoubleFlash => "DoubleFlash",
-    }
 }

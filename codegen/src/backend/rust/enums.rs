@@ -6,7 +6,7 @@ use super::docs::{self, comment};
 use super::lower::{Lowered, users};
 use super::names::{Scope, ident};
 use super::number::grouped;
-use crate::emit::escape::{one_line, rust_doc, rust_str};
+use crate::emit::escape::{rust_doc, rust_str};
 use crate::model::{Entry, EnumDef, EnumValue, Origin};
 use crate::name::Case;
 
@@ -17,12 +17,16 @@ pub(super) fn body(lowered: &Lowered<'_>) -> String {
     }
     let users = users(lowered.model, |e| e.values.as_ref());
     for ((id, table), meaning) in lowered.model.enums.iter().zip(&lowered.enums) {
-        let title = one_line(table.name.original());
         let used = users.get(&id).map_or(&[][..], Vec::as_slice);
         let doc = comment("    ", &[docs::table(&table.name, "values", used)]);
         let _ = write!(out, "\nwire_enum! {{\n{doc}");
-        let _ =
-            writeln!(out, "    pub struct {}({}) = \"{}\" {{", meaning.name, meaning.repr, rust_str(&title));
+        let _ = writeln!(
+            out,
+            "    pub struct {}({}) = \"{}\" {{",
+            meaning.name,
+            meaning.repr,
+            rust_str(table.name.original())
+        );
         let written: Vec<&Entry> = used.iter().copied().filter(|e| e.access.value.writes()).collect();
         values(&mut out, table, &written);
         out.push_str("    }\n}\n");

@@ -3,12 +3,10 @@
 use std::fmt::Write;
 
 use super::docs::comment;
+use super::items::variants;
 use super::lower::Lowered;
 use crate::emit::escape::rust_doc;
-use crate::model::{
-    Edge, Event, HomingCase, HomingMethod, HomingSignal, HomingStart, HomingStatus, Level, Origin, Pace,
-    Side, Signal, Step, When,
-};
+use crate::model::{Event, HomingCase, HomingMethod, HomingStatus, Level, Origin, Step, When};
 
 pub(super) fn body(lowered: &Lowered<'_>) -> String {
     let methods = &lowered.model.homing;
@@ -54,25 +52,15 @@ fn one(out: &mut String, method: &HomingMethod) {
 
 /// Builder calls for what a method has besides its cases.
 fn columns(method: &HomingMethod) -> Vec<String> {
-    let status = match method.status.value {
-        HomingStatus::Supported => None,
-        HomingStatus::Reserved => Some("Reserved"),
-        HomingStatus::NotAvailable => Some("NotAvailable"),
-    };
-    let start = method.start.as_ref().map(|s| match s.value {
-        HomingStart::Negative => "Negative",
-        HomingStart::Positive => "Positive",
-        HomingStart::BySwitch => "BySwitch",
-    });
-    let edge = method.edge.as_ref().map(|e| if e.value == Edge::Rising { "Rising" } else { "Falling" });
+    let status = Some(method.status.value).filter(|status| *status != HomingStatus::Supported);
     let calls = [
-        status.map(|s| format!(".with_status(HomingStatus::{s})")),
+        status.map(|s| format!(".with_status(HomingStatus::{s:?})")),
         method.same.as_ref().map(|n| format!(".with_same({})", n.value)),
-        start.map(|s| format!(".with_start(HomingStart::{s})")),
-        method.approach.as_ref().map(|s| format!(".with_approach(HomingSignal::{})", looked_for(s.value))),
-        method.reference.as_ref().map(|s| format!(".with_reference(HomingSignal::{})", looked_for(s.value))),
-        method.side.as_ref().map(|s| format!(".with_side({})", side(s.value))),
-        edge.map(|e| format!(".with_edge(Edge::{e})")),
+        method.start.as_ref().map(|s| format!(".with_start(HomingStart::{:?})", s.value)),
+        method.approach.as_ref().map(|s| format!(".with_approach(HomingSignal::{:?})", s.value)),
+        method.reference.as_ref().map(|s| format!(".with_reference(HomingSignal::{:?})", s.value)),
+        method.side.as_ref().map(|s| format!(".with_side(Side::{:?})", s.value)),
+        method.edge.as_ref().map(|e| format!(".with_edge(Edge::{:?})", e.value)),
     ];
     calls.into_iter().flatten().collect()
 }
@@ -89,8 +77,7 @@ fn case(out: &mut String, case: &HomingCase) {
         let _ = write!(out, "\n        .with_abort({})", levels(&abort.value));
     }
     if let Some(mask) = &case.mask {
-        let list: Vec<String> = mask.value.iter().map(|s| signal(*s)).collect();
-        let _ = write!(out, "\n        .with_mask(&[{}])", list.join(", "));
+        let _ = write!(out, "\n        .with_mask(&[{}])", variants("Signal", &mask.value));
     }
     out.push_str(",\n");
 }
@@ -102,64 +89,29 @@ fn levels(when: &When) -> String {
 
 fn level(level: Level) -> String {
     match level {
-        Level::Switch(at, on) => format!("Level::{}({})", on_off(on), signal(at)),
-        Level::Standstill => "Level::Standstill".to_owned(),
-        Level::AtHome => "Level::AtHome".to_owned(),
+        Level::Switch(at, on) => format!("Level::{}(Signal::{at:?})", on_off(on)),
+        Level::Standstill | Level::AtHome => format!("Level::{level:?}"),
     }
 }
 
 fn step(step: Step) -> String {
     match step {
         Step::Move { direction, pace, until } => {
-            let pace = if pace == Pace::Fast { "fast" } else { "slow" };
-            format!("Step::{pace}({}, {})", side(direction), event(until))
+            format!("Step::{pace}(Side::{direction:?}, {})", event(until))
         }
-        Step::Stop => "Step::Stop".to_owned(),
-        Step::Latch => "Step::Latch".to_owned(),
-        Step::Return => "Step::Return".to_owned(),
-        Step::Done => "Step::Done".to_owned(),
-        Step::NotStated => "Step::NotStated".to_owned(),
+        Step::Stop | Step::Latch | Step::Return | Step::Done | Step::NotStated => format!("Step::{step:?}"),
     }
 }
 
 fn event(event: Event) -> String {
     match event {
-        Event::Switch(at, on) => format!("Event::{}({})", on_off(on), signal(at)),
-        Event::Index => "Event::Index".to_owned(),
-        Event::Torque(on) => format!("Event::Torque({on})"),
-        Event::Stall => "Event::Stall".to_owned(),
+        Event::Switch(at, on) => format!("Event::{}(Signal::{at:?})", on_off(on)),
+        Event::Index | Event::Torque(_) | Event::Stall => format!("Event::{event:?}"),
     }
 }
 
 fn on_off(on: bool) -> &'static str {
     if on { "on" } else { "off" }
-}
-
-fn side(side: Side) -> &'static str {
-    match side {
-        Side::Negative => "Side::Negative",
-        Side::Positive => "Side::Positive",
-    }
-}
-
-fn signal(signal: Signal) -> String {
-    let name = match signal {
-        Signal::NegativeLimit => "NegativeLimit",
-        Signal::PositiveLimit => "PositiveLimit",
-        Signal::Home => "Home",
-    };
-    format!("Signal::{name}")
-}
-
-fn looked_for(signal: HomingSignal) -> &'static str {
-    match signal {
-        HomingSignal::NegativeLimit => "NegativeLimit",
-        HomingSignal::PositiveLimit => "PositiveLimit",
-        HomingSignal::Home => "Home",
-        HomingSignal::Index => "Index",
-        HomingSignal::Stall => "Stall",
-        HomingSignal::Here => "Here",
-    }
 }
 
 fn doc(method: &HomingMethod) -> Vec<String> {

@@ -2,10 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use drivewright_runtime::quantity::QuantityKind;
+
 use super::loss;
 use super::names::{Scope, ident};
 use crate::diag::Sink;
-use crate::model::{BitsId, Entry, EntryId, EnumId, Fact, Id, Mapping, Model, Pdo, Quantity, Type, Unit};
+use crate::model::{BitsId, Entry, EntryId, EnumId, Fact, Id, Mapping, Model, Pdo, Quantity, Type};
 use crate::name::Case;
 
 /// A drive with its Rust names.
@@ -28,7 +30,7 @@ pub(super) struct Handle<'m> {
     pub(super) ty: String,
     pub(super) access: &'static str,
     pub(super) mapping: &'static str,
-    pub(super) quantity: &'static str,
+    pub(super) quantity: String,
     /// Limits that a handle can hold.
     pub(super) range: Option<(Option<i128>, Option<i128>)>,
     /// Listed values, where a handle can hold them all.
@@ -81,7 +83,7 @@ impl<'m> Lowered<'m> {
             ty: self.value_type(entry, sink),
             access: access(entry),
             mapping: mapping(entry.mapping.as_ref()),
-            quantity: entry.unit.as_ref().map_or("Raw", |u| quantity(u.value.quantity)),
+            quantity: entry.unit.as_ref().map_or_else(|| "Raw".to_owned(), |u| quantity(u.value.quantity)),
             range: range(entry, sink),
             allow: allow(entry, sink),
         }
@@ -223,31 +225,9 @@ fn mapping(mapping: Option<&Fact<Mapping>>) -> &'static str {
     }
 }
 
-/// The runtime's marker of a quantity.
-pub(super) fn quantity(of: Quantity) -> &'static str {
-    match of {
-        Quantity::UserPosition => "UserPosition",
-        Quantity::UserVelocity => "UserVelocity",
-        Quantity::UserAcceleration => "UserAcceleration",
-        Quantity::Counts => "Counts",
-        Quantity::Angle => "Angle",
-        Quantity::Velocity => "Velocity",
-        Quantity::Acceleration => "Acceleration",
-        Quantity::Time => "Time",
-        Quantity::TorqueRatio => "TorqueRatio",
-        Quantity::Torque => "Torque",
-        Quantity::CurrentRatio => "CurrentRatio",
-        Quantity::Current => "Current",
-        Quantity::Voltage => "Voltage",
-        Quantity::Power => "Power",
-        Quantity::Temperature => "Temperature",
-        Quantity::Frequency => "Frequency",
-        Quantity::Ratio => "Ratio",
-        Quantity::Resistance => "Resistance",
-        Quantity::Inductance => "Inductance",
-        Quantity::Inertia => "Inertia",
-        Quantity::Length => "Length",
-    }
+/// The runtime's marker of a quantity; also the variant of its `QuantityKind`.
+pub(super) fn quantity(of: Quantity) -> String {
+    format!("{:?}", QuantityKind::from(of))
 }
 
 /// Limits as a handle holds them: i64, and both ends of it stand for `not stated`. What the type sets by itself is no loss.
@@ -283,19 +263,6 @@ pub(super) fn imports<'a>(types: impl Iterator<Item = &'a str>, always: &[&str])
         [one] => format!("use super::{one};\n"),
         many => format!("use super::{{{}}};\n", many.join(", ")),
     }
-}
-
-/// Place of an entry's unit in the list of distinct units.
-pub(super) fn units(model: &Model) -> Vec<&Unit> {
-    let mut units: Vec<&Unit> = Vec::new();
-    for (_, entry) in model.entries.iter() {
-        if let Some(unit) = &entry.unit
-            && !units.contains(&&unit.value)
-        {
-            units.push(&unit.value);
-        }
-    }
-    units
 }
 
 /// What an entry's values or bits mean, as the tables refer to it.

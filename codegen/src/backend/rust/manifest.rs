@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use serde::Serialize;
 
-use super::Module;
 use super::lower::{Handle, Lowered};
+use super::{Module, behaviour};
 use crate::backend::prose::outcome;
 use crate::backend::template::render;
 use crate::backend::{eds, esi};
@@ -32,6 +32,8 @@ struct Context {
     errata: Vec<(&'static str, Vec<String>)>,
     identity: Vec<String>,
     homing: usize,
+    /// What the tables of behaviour hold, as a list in words.
+    behaviour: String,
     example: Option<String>,
 }
 
@@ -94,6 +96,7 @@ fn context(model: &Model) -> Context {
         alarms: model.alarms.len(),
         pdos: model.pdos.len(),
         homing: model.homing.iter().filter(|m| m.same.is_some() || !m.cases.is_empty()).count(),
+        behaviour: behaviour::held(model),
         assumed: eds::assumptions(model).iter().map(|text| markdown(text)).collect(),
         assumed_esi: esi::assumptions(model).iter().map(|text| markdown(text)).collect(),
         errata: DOUBT

@@ -4,6 +4,7 @@
 //! would, but for tables, which have a fact a line.
 
 mod alarms;
+mod behaviour;
 mod bits;
 mod docs;
 mod enums;
@@ -99,10 +100,15 @@ fn modules(lowered: &Lowered<'_>) -> Vec<Module> {
             table::body(lowered),
         ),
     ];
+    // `table` stays last: it holds all others together.
+    let last = modules.len() - 1;
+    if behaviour::names(lowered.model).next().is_some() {
+        let doc = "How the DRIVE behaves, where its manual says so.";
+        modules.insert(last, module("behaviour", doc, behaviour::body(lowered)));
+    }
     if !lowered.model.homing.is_empty() {
         let doc = "Homing methods of the DRIVE as programs, each with where it starts and what it does.";
-        // `table` stays last: it holds all others together.
-        modules.insert(modules.len() - 1, module("homing", doc, homing::body(lowered)));
+        modules.insert(last, module("homing", doc, homing::body(lowered)));
     }
     modules
 }

@@ -3,17 +3,17 @@
 use std::fmt::Write;
 
 use super::handles::limits;
-use super::items;
-use super::lower::{Lowered, access, meaning_of, quantity, units};
+use super::lower::{Lowered, access, meaning_of, quantity};
 use super::number::{grouped, hex};
 use super::values::literal;
+use super::{behaviour, items};
 use crate::emit::escape::rust_str;
 use crate::model::{Address, BitField, BitsDef, Direction, Entry, Fact, Id, Model, Pdo, Unit, Value};
 
 pub(super) fn body(lowered: &Lowered<'_>) -> String {
     let model = lowered.model;
     let mut out = String::from("use super::alarms::ALARMS;\nuse drivewright_runtime::prelude::*;\n");
-    let units = units(model);
+    let units = model.units();
     out.push_str(&items::table("Units.", "UNITS", "UnitDesc", units.iter().map(|u| unit(u))));
     let rows = model.entries.iter().map(|(_, e)| object(e, &units));
     out.push_str(&items::table("Entries of the dictionary, by address.", "OBJECTS", "ObjectDesc", rows));
@@ -50,7 +50,7 @@ fn unit(unit: &Unit) -> String {
     )
 }
 
-fn address(at: Address) -> String {
+pub(super) fn address(at: Address) -> String {
     format!("Address::new(0x{:04X}, 0x{:02X})", at.index, at.sub)
 }
 
@@ -148,6 +148,9 @@ fn whole(model: &Model) -> String {
     }
     if !model.homing.is_empty() {
         out.push_str("\n.with_homing(&super::homing::HOMING)");
+    }
+    for table in behaviour::names(model) {
+        let _ = write!(out, "\n.with_{}(&super::behaviour::{table})", table.to_ascii_lowercase());
     }
     out + ";\n" + TEST
 }

@@ -24,6 +24,9 @@ pub mod pdo;
 pub mod alarms;
 
 #[rustfmt::skip]
+pub mod behaviour;
+
+#[rustfmt::skip]
 pub mod table;
 
 pub use table::MODEL;

@@ -38,7 +38,8 @@ pub static MODEL: DriveModel<'static> = DriveModel::new(
 .with_enums(&ENUMS)
 .with_bit_fields(&BIT_FIELDS)
 .with_pdos(&PDOS)
-.with_alarms(&ALARMS);
+.with_alarms(&ALARMS)
+.with_emcy(&super::behaviour::EMCY);
 
 #[cfg(test)]
 mod tests {

@@ -38,7 +38,9 @@ pub static MODEL: DriveModel<'static> = DriveModel::new(
 .with_enums(&ENUMS)
 .with_bit_fields(&BIT_FIELDS)
 .with_pdos(&PDOS)
-.with_alarms(&ALARMS);
+.with_alarms(&ALARMS)
+.with_states(&super::behaviour::STATES)
+.with_commands(&super::behaviour::COMMANDS);
 
 #[cfg(test)]
 mod tests {
