@@ -23,6 +23,7 @@ pub mod procedure;
 pub mod quantity;
 pub mod rule;
 pub mod scale;
+pub mod sim;
 pub mod time;
 pub mod transport;
 pub mod value;

@@ -25,18 +25,6 @@ crate::word::words! {
 }
 
 impl State {
-    /// All states, in the order of the standard.
-    pub const ALL: [Self; 8] = [
-        Self::NotReadyToSwitchOn,
-        Self::SwitchOnDisabled,
-        Self::ReadyToSwitchOn,
-        Self::SwitchedOn,
-        Self::OperationEnabled,
-        Self::QuickStopActive,
-        Self::FaultReactionActive,
-        Self::Fault,
-    ];
-
     /// The bits of the statusword that tell the state, and their value.
     pub const fn pattern(self) -> (u16, u16) {
         match self {
@@ -121,7 +109,7 @@ bits! {
 impl Statusword {
     /// The state that it shows; `None` where it is that of no state. No two states share a word.
     pub fn state(self) -> Option<State> {
-        State::ALL.into_iter().find(|state| {
+        State::ALL.iter().copied().find(|state| {
             let (mask, value) = state.pattern();
             self.0 & mask == value
         })

@@ -1,0 +1,192 @@
+//! Process data: which bits belong to which entry, as mapping and assignment say, and the exchange of a cycle.
+
+use crate::address::Address;
+use crate::mapping::Direction;
+use crate::model::PdoDesc;
+use crate::pdo::MapEntry;
+
+use super::memory::{Memory, Slot};
+use super::number::{bits, extend, low16, low32, low64, low8};
+
+/// The most entries that are mapped in one direction.
+pub const MAX_MAPPED: usize = 64;
+
+/// Assignment of `RxPDOs`.
+const RX_ASSIGN: u16 = 0x1C12;
+/// Assignment of `TxPDOs`.
+const TX_ASSIGN: u16 = 0x1C13;
+
+/// The object that assigns the process data of a direction to its sync manager.
+pub(crate) const fn assignment(direction: Direction) -> u16 {
+    match direction {
+        Direction::Rx => RX_ASSIGN,
+        Direction::Tx => TX_ASSIGN,
+    }
+}
+
+/// Why there is no layout: the master is refused SafeOP.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct LayoutError(pub(crate) Direction);
+
+/// Bits of the image.
+#[derive(Clone, Copy, Debug)]
+struct Field {
+    slot: Slot,
+    /// The first byte of those that have a bit of it.
+    byte: u16,
+    /// The lowest bit in that byte.
+    shift: u8,
+    bits: u8,
+    signed: bool,
+}
+
+/// What is exchanged in one direction.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Layout {
+    fields: [Field; MAX_MAPPED],
+    used: usize,
+    bits: usize,
+}
+
+impl Layout {
+    /// Nothing.
+    pub(crate) const EMPTY: Self = {
+        let none = Field { slot: Slot::NONE, byte: 0, shift: 0, bits: 0, signed: false };
+        Self { fields: [none; MAX_MAPPED], used: 0, bits: 0 }
+    };
+
+    /// What mapping and assignment say at this moment.
+    pub(crate) fn of(memory: &Memory<'_, '_>, direction: Direction) -> Result<Self, LayoutError> {
+        let mut layout = Self::EMPTY;
+        for pdo in assigned(memory, direction) {
+            let pdo = pdo.filter(|pdo| fits(memory, pdo)).ok_or(LayoutError(direction))?;
+            for entry in entries(memory, pdo) {
+                layout.push(memory, entry).ok_or(LayoutError(direction))?;
+            }
+        }
+        Ok(layout)
+    }
+
+    fn push(&mut self, memory: &Memory<'_, '_>, entry: MapEntry) -> Option<()> {
+        let slot = memory.slot(entry.address());
+        let signed = memory.object(slot).is_some_and(|object| object.data_type().is_signed());
+        let field = self.fields.get_mut(self.used)?;
+        let byte = u16::try_from(self.bits >> 3).ok()?;
+        *field = Field { slot, byte, shift: (self.bits & 7) as u8, bits: entry.bits(), signed };
+        self.used = self.used.checked_add(1)?;
+        self.bits = self.bits.checked_add(usize::from(entry.bits()))?;
+        Some(())
+    }
+
+    /// Length in bytes.
+    pub(crate) const fn bytes(&self) -> usize {
+        self.bits.div_ceil(8)
+    }
+
+    /// Whether it has an entry.
+    pub(crate) fn has(&self, slot: Slot) -> bool {
+        slot.exists() && self.fields.iter().take(self.used).any(|field| field.slot == slot)
+    }
+
+    /// The values that `data` hold go to their entries.
+    pub(crate) fn unpack(&self, memory: &mut Memory<'_, '_>, data: &[u8]) {
+        for field in self.fields.iter().take(self.used) {
+            let window = data.get(usize::from(field.byte)..).unwrap_or(&[]);
+            let raw = window.iter().take(9).rev().fold(0_u128, |sum, byte| sum << 8 | u128::from(*byte));
+            let raw = low64(raw >> (field.shift & 7));
+            memory.put(field.slot, extend(raw, u32::from(field.bits), field.signed));
+        }
+    }
+
+    /// The values of the entries go to `data`, which is as long as the layout.
+    pub(crate) fn pack(&self, memory: &Memory<'_, '_>, data: &mut [u8]) {
+        data.iter_mut().for_each(|byte| *byte = 0);
+        for field in self.fields.iter().take(self.used) {
+            let value = bits(extend(bits(memory.now(field.slot)), u32::from(field.bits), false));
+            let value = u128::from(value) << (field.shift & 7);
+            let window = data.get_mut(usize::from(field.byte)..).unwrap_or(&mut []);
+            window.iter_mut().zip(value.to_le_bytes()).for_each(|(to, from)| *to |= from);
+        }
+    }
+}
+
+/// The process data that are assigned, in order; `None` for one that is not there. Without an object for it, the first of
+/// the model.
+fn assigned<'a, 'm>(
+    memory: &'a Memory<'m, '_>,
+    direction: Direction,
+) -> impl Iterator<Item = Option<&'m PdoDesc<'m>>> + 'a {
+    let index = assignment(direction);
+    let number = memory.at(Address::new(index, 0));
+    let listed = (1..=number.map_or(0, low8)).map(move |sub| {
+        let pdo = memory.at(Address::new(index, sub)).map_or(0, low16);
+        memory.model().pdo(Address::new(pdo, 0)).filter(|pdo| pdo.direction() == direction)
+    });
+    let first = memory.model().pdos().iter().find(move |pdo| pdo.direction() == direction);
+    listed.chain(first.filter(|_| number.is_none()).map(Some))
+}
+
+/// What a PDO carries at this moment: as its mapping object says, or as the drive ships where there is none.
+pub(crate) fn entries<'a, 'm>(
+    memory: &'a Memory<'m, '_>,
+    pdo: &'m PdoDesc<'m>,
+) -> impl Iterator<Item = MapEntry> + 'a {
+    let index = pdo.address().index();
+    let number = memory.at(Address::new(index, 0));
+    let mapped = (1..=number.map_or(0, low8)).map(move |sub| {
+        MapEntry::from_word(memory.at(Address::new(index, sub)).map_or(0, low32))
+    });
+    mapped.chain(pdo.entries().iter().copied().filter(move |_| number.is_none()))
+}
+
+/// Whether what a PDO carries is as long as it may be.
+fn fits<'m>(memory: &Memory<'m, '_>, pdo: &'m PdoDesc<'m>) -> bool {
+    let bits: usize = entries(memory, pdo).map(|entry| usize::from(entry.bits())).sum();
+    pdo.max_bytes().map_or(true, |most| bits.div_ceil(8) <= usize::from(most))
+}
+
+/// Whether a PDO is assigned.
+pub(crate) fn is_assigned(memory: &Memory<'_, '_>, pdo: &PdoDesc<'_>) -> bool {
+    assigned(memory, pdo.direction()).flatten().any(|other| other.address() == pdo.address())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::memory::cells;
+    use super::super::samples::{at, MODEL};
+    use super::*;
+
+    #[test]
+    fn the_image_is_laid_out_as_mapped() {
+        let mut cells = [0; cells(&MODEL)];
+        let mut memory = Memory::new(&MODEL, &mut cells).unwrap();
+        let rx = Layout::of(&memory, Direction::Rx).unwrap();
+        assert_eq!(rx.bytes(), 2 + 4 + 1);
+        rx.unpack(&mut memory, &[0x0F, 0x01, 0xFE, 0xFF, 0xFF, 0xFF, 0xFF]);
+        let now = |memory: &Memory<'_, '_>, index| memory.now(memory.slot(at(index, 0)));
+        assert_eq!((now(&memory, 0x6040), now(&memory, 0x607A), now(&memory, 0x6060)), (0x010F, -2, -1));
+        let tx = Layout::of(&memory, Direction::Tx).unwrap();
+        memory.put(memory.slot(at(0x6041, 0)), 0x1237);
+        memory.put(memory.slot(at(0x6064, 0)), -2);
+        let mut image = [0xAA; 7];
+        tx.pack(&memory, &mut image);
+        assert_eq!(image, [0x37, 0x12, 0xFE, 0xFF, 0xFF, 0xFF, 0]);
+    }
+
+    #[test]
+    fn bits_between_bytes_are_theirs() {
+        let mut cells = [0; cells(&MODEL)];
+        let mut memory = Memory::new(&MODEL, &mut cells).unwrap();
+        let mut layout = Layout::EMPTY;
+        for (index, bits) in [(5, 3), (0x6041, 16), (0x2001, 1)] {
+            layout.push(&memory, MapEntry::new(at(index, 0), bits)).unwrap();
+        }
+        assert_eq!(layout.bytes(), 3);
+        layout.unpack(&mut memory, &[0b1010_1111, 0b0101_0101, 0b0000_1010]);
+        assert_eq!(memory.now(memory.slot(at(0x6041, 0))), 0b0100_1010_1011_0101);
+        assert_eq!(memory.now(memory.slot(at(0x2001, 0))), 1);
+        let mut image = [0; 3];
+        layout.pack(&memory, &mut image);
+        assert_eq!(image, [0b1010_1000, 0b0101_0101, 0b0000_1010], "gaps are sent as 0");
+    }
+}
