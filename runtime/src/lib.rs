@@ -10,6 +10,7 @@ pub mod access;
 pub mod address;
 pub mod bit_field;
 pub mod cia402;
+pub mod client;
 pub mod constant;
 pub mod data_type;
 pub mod homing;

@@ -217,15 +217,18 @@ impl<Q: Quantity> fmt::Debug for Value<Q> {
 }
 
 /// As a decimal where that is exact within nine places, otherwise as a fraction.
-fn write_fraction(f: &mut fmt::Formatter<'_>, num: i64, den: u32) -> fmt::Result {
-    let places = (0..=9_u8).map(|p| (p, 10_u32.pow(p.into()))).find(|(_, ten)| ten % den == 0);
+pub(crate) fn write_fraction(f: &mut fmt::Formatter<'_>, num: i64, den: u32) -> fmt::Result {
+    let places =
+        (0..=9_u8).map(|p| (p, 10_u32.pow(p.into()))).find(|(_, ten)| ten.checked_rem(den) == Some(0));
     let sign = if num < 0 { "-" } else { "" };
     let (num, den) = (num.unsigned_abs(), u64::from(den));
     match places {
         Some((0, _)) => write!(f, "{sign}{num}"),
         Some((places, ten)) => {
-            let part = num % den * (u64::from(ten) / den);
-            write!(f, "{sign}{}.{part:0width$}", num / den, width = usize::from(places))
+            let whole = quotient(num, den);
+            let rest = num.saturating_sub(whole.saturating_mul(den));
+            let part = rest.saturating_mul(quotient(ten.into(), den));
+            write!(f, "{sign}{whole}.{part:0width$}", width = usize::from(places))
         }
         None => write!(f, "{sign}{num}/{den}"),
     }

@@ -1,5 +1,8 @@
 //! Modes of operation and what the bits of the words mean in them.
 
+use core::fmt;
+use core::hash::{Hash, Hasher};
+
 crate::wire_enum! {
     /// A mode of operation, 6060h and 6061h. Open: negative ones are the maker's.
     pub struct Mode(i8) = "mode of operation" {
@@ -44,6 +47,19 @@ impl Mode {
             self,
             Self::CYCLIC_POSITION | Self::CYCLIC_VELOCITY | Self::CYCLIC_TORQUE | Self::CYCLIC_TORQUE_ANGLE
         )
+    }
+}
+
+impl fmt::Display for Mode {
+    /// The name with the number in brackets: `homing (6)`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Debug::fmt(self, f)
+    }
+}
+
+impl Hash for Mode {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.0.hash(state);
     }
 }
 

@@ -1,0 +1,13 @@
+//! The client of a drive: what a program does with one.
+//!
+//! Services over SDO are machines of [`procedure`](crate::procedure): a program runs them on its bus, or one request at a
+//! time in a loop of its own. None allocates; what a service finds goes into memory that the caller gives, or to a
+//! function of the caller. Errors say what happened, why, and what to do: [`message`].
+
+pub mod axis;
+pub mod image;
+pub mod message;
+pub mod object;
+
+#[cfg(test)]
+mod testing;

@@ -1,0 +1,133 @@
+//! A value as a person reads it: named, in its unit, raw in brackets.
+
+use core::fmt;
+
+use super::Content;
+use crate::client::message::Clean;
+use crate::data_type::DataType;
+use crate::model::{DefaultValue, DriveModel, ObjectDesc};
+use crate::ratio::Factor;
+use crate::value::write_fraction;
+
+/// What an entry holds, as a person reads it.
+///
+/// ```
+/// use drivewright_runtime::client::object::{Content, Shown};
+/// use drivewright_runtime::prelude::*;
+///
+/// static UNITS: [UnitDesc<'static>; 1] = [UnitDesc::new("0.1 rpm", QuantityKind::Velocity, 1, 10)];
+/// static OBJECTS: [ObjectDesc<'static>; 1] =
+///     [ObjectDesc::new(Address::new(0x6081, 0), DataType::UNSIGNED32, Access::Rw, Mapping::RxTx, "Profile velocity").unit(0)];
+/// static MODEL: DriveModel<'static> =
+///     DriveModel::new(Identity::new("acme-x3", "Acme", "X3")).with_objects(&OBJECTS).with_units(&UNITS);
+///
+/// assert_eq!(Shown::new(&MODEL, &OBJECTS[0], Content::Int(30_005)).to_string(), "3000.5 rpm [30005]");
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Shown<'s, 'm> {
+    model: &'s DriveModel<'m>,
+    object: &'s ObjectDesc<'m>,
+    content: Option<Content<'s>>,
+}
+
+impl<'s, 'm> Shown<'s, 'm> {
+    /// The content of an entry of the model.
+    pub const fn new(model: &'s DriveModel<'m>, object: &'s ObjectDesc<'m>, content: Content<'s>) -> Self {
+        Self { model, object, content: Some(content) }
+    }
+
+    /// A raw number of an entry of the model.
+    pub const fn number(model: &'s DriveModel<'m>, object: &'s ObjectDesc<'m>, number: i128) -> Self {
+        Self { model, object, content: Some(Content::Int(number)) }
+    }
+
+    /// The value of an entry as the drive ships.
+    pub fn default(model: &'s DriveModel<'m>, object: &'s ObjectDesc<'m>) -> Self {
+        let content = match model.default_of(object) {
+            DefaultValue::NotStated => None,
+            DefaultValue::Int(value) => Some(Content::Int(value)),
+            DefaultValue::Text(text) => Some(Content::Bytes(text.as_bytes())),
+        };
+        Self { model, object, content }
+    }
+
+    fn int(&self, f: &mut fmt::Formatter<'_>, value: i128) -> fmt::Result {
+        if let Some(table) = self.model.enum_of(self.object) {
+            return match table.name_of(value) {
+                Some(name) => write!(f, "{} [{value}]", Clean(name.as_bytes())),
+                None => write!(f, "{value}, which has no name"),
+            };
+        }
+        if self.model.bits_of(self.object).is_some() {
+            return write!(f, "{}", Bits(self.model, self.object, value));
+        }
+        self.measured(f, value)
+    }
+
+    fn measured(&self, f: &mut fmt::Formatter<'_>, value: i128) -> fmt::Result {
+        let Some(unit) = self.model.unit_of(self.object) else { return write!(f, "{value}") };
+        let (num, den) = unit.factor();
+        let physical = Factor::new(num.into(), den.into()).and_then(|factor| factor.value_of(value).ok());
+        let Some((above, below)) = physical else {
+            return write!(f, "{value} x {}", Clean(unit.text().as_bytes()));
+        };
+        write_fraction(f, above, below)?;
+        match unit.quantity().symbol() {
+            "" => {}
+            symbol => write!(f, " {symbol}")?,
+        }
+        if num == den {
+            Ok(())
+        } else {
+            write!(f, " [{value}]")
+        }
+    }
+}
+
+impl fmt::Display for Shown<'_, '_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.content {
+            None => f.write_str("not stated"),
+            Some(Content::Int(value)) => self.int(f, value),
+            Some(Content::Bytes(bytes)) => show_bytes(f, self.object.data_type(), bytes),
+        }
+    }
+}
+
+fn show_bytes(f: &mut fmt::Formatter<'_>, data_type: DataType, bytes: &[u8]) -> fmt::Result {
+    match (data_type, bytes) {
+        (DataType::VISIBLE_STRING, _) => write!(f, "\"{}\"", Clean(bytes)),
+        (DataType::REAL32, &[a, b, c, d]) => write!(f, "{}", f32::from_le_bytes([a, b, c, d])),
+        (DataType::REAL64, &[a, b, c, d, e, g, h, i]) => {
+            write!(f, "{}", f64::from_le_bytes([a, b, c, d, e, g, h, i]))
+        }
+        _ => {
+            f.write_str("[")?;
+            for (at, byte) in bytes.iter().enumerate() {
+                write!(f, "{}{byte:02X}", if at == 0 { "" } else { " " })?;
+            }
+            f.write_str("]")
+        }
+    }
+}
+
+/// The names of the bits that are set. Bits whose meaning depends on a mode are left out: the mode is not known here.
+struct Bits<'s, 'm>(&'s DriveModel<'m>, &'s ObjectDesc<'m>, i128);
+
+impl fmt::Display for Bits<'_, '_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let digits = self.1.data_type().bytes().saturating_mul(2);
+        let word = u64::try_from(self.2).unwrap_or(0);
+        let rows = self.0.bits_of(self.1).map_or(&[][..], |table| table.bits());
+        let mut any = false;
+        for row in rows.iter().filter(|row| row.mode().is_none() && row.of(word) != 0) {
+            f.write_str(if any { ", " } else { "" })?;
+            any = true;
+            f.write_fmt(format_args!("{}", Clean(row.name().as_bytes())))?;
+            if row.width() > 1 {
+                write!(f, " {}", row.of(word))?;
+            }
+        }
+        write!(f, "{}[{word:0digits$X}h]", if any { " " } else { "" })
+    }
+}
