@@ -246,6 +246,7 @@ type Verdict = Result<bool, AxisErrorKind>;
 
 impl Axis {
     fn begin(&mut self, goal: Goal, within: Duration) {
+        self.end_edges();
         self.enter(goal);
         self.within = within;
         self.begins = true;
@@ -363,10 +364,18 @@ impl Axis {
     }
 
     fn finish(&mut self, progress: Progress) {
+        self.end_edges();
+        self.progress = progress;
+    }
+
+    /// Bits that rise for a goal fall with it, however it ends.
+    fn end_edges(&mut self) {
         if matches!(self.goal, Goal::Move(..) | Goal::Home(_)) {
             self.set_bit(Controlword::MODE_4, false);
         }
-        self.progress = progress;
+        if self.level == Command::FaultReset {
+            self.set_level(Command::DisableVoltage);
+        }
     }
 
     /// Ends operation on the side of the client. What takes power away already is kept.
