@@ -19,7 +19,7 @@ fn words() {
 fn transitions() {
     let options = Options { quick_stop_stays: black_box(true), fault_persists: black_box(false) };
     let (word, before) = (Controlword(black_box(0x80)), Controlword(black_box(0)));
-    for state in black_box(State::ALL) {
+    for state in black_box(State::ALL).iter().copied() {
         black_box((state.pattern(), state.is_powered(), state.is_fault()));
         let command = Transition::command(state, word, before);
         for cause in

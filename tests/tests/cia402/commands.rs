@@ -103,7 +103,7 @@ fn before(word: u16) -> [u16; 4] {
 #[test]
 fn every_word_makes_the_transition_of_its_row() {
     let (mut tried, mut made) = (0_u32, BTreeSet::new());
-    for of in State::ALL {
+    for of in State::ALL.iter().copied() {
         let tables = (levels(of), edges(of));
         for word in 0..=u16::MAX {
             for (before, both) in before(word).into_iter().flat_map(|b| OPTIONS.map(|o| (b, o))) {
@@ -235,8 +235,10 @@ fn seventeen() -> BTreeSet<Step> {
 #[test]
 fn b13_there_are_seventeen_transitions_and_no_others() {
     let mut found = BTreeSet::new();
-    for (from, (word, cause), options) in
-        State::ALL.into_iter().flat_map(|s| CAUSES.into_iter().flat_map(move |c| OPTIONS.map(|o| (s, c, o))))
+    for (from, (word, cause), options) in State::ALL
+        .iter()
+        .copied()
+        .flat_map(|s| CAUSES.into_iter().flat_map(move |c| OPTIONS.map(|o| (s, c, o))))
     {
         let made = Transition::of(from, cause, options);
         found.extend(made.map(|t| (t.number(), from, t.to(), word)));

@@ -60,7 +60,7 @@ fn every_state_is_sent_as_its_row() {
 
 #[test]
 fn every_state_has_its_name_and_its_power() {
-    for ([name, power, fault], listed) in rows::<3>(POWER).into_iter().zip(State::ALL) {
+    for ([name, power, fault], listed) in rows::<3>(POWER).into_iter().zip(State::ALL.iter().copied()) {
         let state = state(name);
         assert_eq!((state, state.word()), (listed, name));
         assert_eq!((state.is_powered(), state.is_fault()), (power == "yes", fault == "yes"), "{name}");
