@@ -23,6 +23,10 @@ const WALLS: &[(&str, &[&str])] = &[
     ("facts", &["raw", "rows", "merge", "resolve", "check", "backend", "sink", "load"]),
     ("schema", &["raw", "merge", "resolve", "check", "backend", "facts", "sink", "load", "build"]),
     ("audit", &["raw", "merge", "resolve", "check", "backend", "emit", "sink", "load", "build"]),
+    (
+        "live",
+        &["raw", "rows", "merge", "resolve", "check", "backend", "emit", "facts", "sink", "load", "build"],
+    ),
     ("configuration", &["merge", "resolve", "check", "backend", "facts", "dcf", "sink", "load", "build"]),
     ("dcf", &["raw", "rows", "merge", "resolve", "check", "facts", "sink", "load", "build"]),
     ("diff", &["raw", "rows", "merge", "resolve", "check", "facts", "sink", "load", "build"]),
@@ -76,6 +80,7 @@ const KNOWERS: &[(&str, &[&str])] = &[
     ("use ::toml", &["raw/toml.rs"]),
     ("toml_parser", &["raw/toml.rs"]),
     ("quick_xml", &["raw/xml", "backend/esi/xml.rs"]),
+    ("bumpalo", &["live"]),
     ("minijinja", &["backend/template.rs"]),
 ];
 

@@ -84,6 +84,7 @@ pub const LINTS: &[Lint] = &[
     parameters::parameters_in_place::LINT,
     states::states_apart::LINT,
     states::commands_fit::LINT,
+    states::standard_words::LINT,
     ethercat::emcy_whole::LINT,
     ethercat::sync_managers_apart::LINT,
     ethercat::control_fits_use::LINT,

@@ -294,7 +294,8 @@ impl<'m> Image<'m> {
     /// Entries that the drive receives and that are no outputs of an axis: the program sets them, see
     /// [`place`](Self::place).
     pub fn others(&self) -> impl Iterator<Item = MapEntry> + '_ {
-        let is_output = |entry: &MapEntry| Output::ALL.iter().any(|s| self.at(s.address()) == entry.address());
+        let is_output =
+            |entry: &MapEntry| Output::ALL.iter().any(|s| self.at(s.address()) == entry.address());
         self.rx.iter().copied().filter(move |entry| !is_output(entry))
     }
 

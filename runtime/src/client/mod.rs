@@ -5,9 +5,21 @@
 //! function of the caller. Errors say what happened, why, and what to do: [`message`].
 
 pub mod axis;
+pub mod compare;
+pub mod decode;
+pub mod drive;
+pub mod error;
+pub mod fault;
+pub mod home;
+pub mod identify;
 pub mod image;
+pub mod layout;
 pub mod message;
+pub mod moves;
 pub mod object;
+pub mod parameters;
+pub mod session;
+pub mod units;
 
 #[cfg(test)]
 mod testing;

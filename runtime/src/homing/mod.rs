@@ -31,6 +31,8 @@
 //! );
 //! ```
 
+pub mod interpreter;
+
 mod desc;
 mod text;
 

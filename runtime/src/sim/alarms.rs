@@ -129,11 +129,6 @@ impl<'m> Alarms<'m> {
         self.active.used > 0
     }
 
-    /// Whether a fault reset would leave the drive in fault.
-    pub(crate) fn persist(&self) -> bool {
-        self.active.iter().any(|active| !active.is_resettable())
-    }
-
     pub(crate) fn iter(&self) -> impl Iterator<Item = ActiveAlarm<'m>> + '_ {
         self.active.iter()
     }
@@ -228,7 +223,7 @@ mod tests {
         assert_eq!(alarms.iter().count(), 2, "one has its cause, the other cannot be reset");
         alarms.end_cause(alarm("OF", 0x25));
         alarms.reset(true);
-        assert_eq!((alarms.iter().count(), alarms.persist()), (1, true));
+        assert_eq!(alarms.iter().count(), 1);
         assert_eq!(alarms.message(), Some([0x11, 0x86, 0x21, 0, 0, 0, 0, 0]));
         assert_eq!(alarms.message(), Some([0x05, 0x73, 0x21, 0, 0, 0, 0, 0]));
         assert_eq!(alarms.message(), None, "one is left, so nobody says that none is");

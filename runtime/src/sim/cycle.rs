@@ -41,9 +41,14 @@ impl VirtualDrive<'_, '_> {
         let word = Controlword(low16(self.memory.used(self.slots.controlword)));
         let options = self.options();
         let transition = self.change_state(word, options, cycle);
-        self.act_on(transition);
-        let order = self.device.order(&options);
-        let incident = self.modes.step(&mut self.memory, &self.slots, &self.config, &Surroundings { order, word, cycle });
+        self.act_on(transition, word);
+        let order = self.device.order(options);
+        let incident = self.modes.step(
+            &mut self.memory,
+            &self.slots,
+            &self.config,
+            &Surroundings { order, word, cycle },
+        );
         if let Some(incident) = incident {
             self.report(incident, false);
         }
@@ -61,7 +66,9 @@ impl VirtualDrive<'_, '_> {
             self.esm = EsmState::SafeOp;
             self.report(Incident::Watchdog, false);
         }
-        if !self.mains && matches!(self.state(), State::SwitchedOn | State::OperationEnabled | State::QuickStopActive) {
+        if !self.mains
+            && matches!(self.state(), State::SwitchedOn | State::OperationEnabled | State::QuickStopActive)
+        {
             self.report(Incident::Undervoltage, true);
         }
     }
@@ -71,15 +78,25 @@ impl VirtualDrive<'_, '_> {
         let (slots, config) = (&self.slots, &self.config);
         let off = StopOption { reaction: crate::cia402::Reaction::Coast, stays: false };
         StopOptions {
-            quick_stop: StopOption::quick_stop(of(slots.quick_stop_option, config.quick_stop_option)).unwrap_or(off),
+            quick_stop: StopOption::quick_stop(of(slots.quick_stop_option, config.quick_stop_option))
+                .unwrap_or(off),
             shutdown: StopOption::disable(of(slots.shutdown_option, config.shutdown_option)).unwrap_or(off),
             disable: StopOption::disable(of(slots.disable_option, config.disable_option)).unwrap_or(off),
             fault: StopOption::fault(of(slots.fault_option, config.fault_option)).unwrap_or(off),
         }
     }
 
-    fn change_state(&mut self, word: Controlword, options: StopOptions, cycle: Duration) -> Option<Transition> {
-        if self.state() == State::Fault && word.fault_reset() && !self.device.previous().fault_reset() && !self.local {
+    fn change_state(
+        &mut self,
+        word: Controlword,
+        options: StopOptions,
+        cycle: Duration,
+    ) -> Option<Transition> {
+        if self.state() == State::Fault
+            && word.fault_reset()
+            && !self.device.previous().fault_reset()
+            && !self.local
+        {
             self.alarms.reset(self.esm != EsmState::Init);
         }
         let inputs = Inputs {
@@ -95,16 +112,16 @@ impl VirtualDrive<'_, '_> {
     }
 
     /// What a transition does besides leading to another state.
-    fn act_on(&mut self, transition: Option<Transition>) {
+    fn act_on(&mut self, transition: Option<Transition>, word: Controlword) {
         match transition.map(Transition::number) {
             Some(4) => {
                 let broken = rules::broken(&self.memory, Occasion::Enable).next();
                 if let Some(alarm) = broken.and_then(|rule| rules::alarm(self.model(), rule)) {
                     self.raise_alarm(alarm, false);
                 }
-                self.modes.enable(&mut self.memory, &self.slots);
+                self.modes.enable(word);
             }
-            Some(16) => self.modes.enable(&mut self.memory, &self.slots),
+            Some(16) => self.modes.enable(word),
             _ => {}
         }
     }
@@ -128,7 +145,7 @@ impl VirtualDrive<'_, '_> {
     }
 
     /// Switches the control supply. Off, the drive answers nothing and the axis runs out; on, it starts up with what was
-    /// kept, without alarms, in PreOP.
+    /// kept, without alarms, in `PreOP`.
     pub fn set_supply(&mut self, on: bool) {
         if on && !self.supply {
             self.memory.power_up();
@@ -172,4 +189,3 @@ impl VirtualDrive<'_, '_> {
         self.warning = warning;
     }
 }
-

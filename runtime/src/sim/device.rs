@@ -17,6 +17,7 @@ pub(crate) enum Order {
 
 /// What the state machine looks at in a cycle.
 #[derive(Clone, Copy, Debug)]
+#[allow(clippy::struct_excessive_bools)] // Each is a line of its own at the drive.
 pub(crate) struct Inputs {
     pub(crate) word: Controlword,
     pub(crate) options: StopOptions,
@@ -69,7 +70,12 @@ impl Device {
     }
 
     /// One cycle. Gives the transition that was made.
-    pub(crate) fn step(&mut self, inputs: &Inputs, cycle: Duration, start_up: Duration) -> Option<Transition> {
+    pub(crate) fn step(
+        &mut self,
+        inputs: &Inputs,
+        cycle: Duration,
+        start_up: Duration,
+    ) -> Option<Transition> {
         self.up = self.up.saturating_add(cycle);
         let previous = core::mem::replace(&mut self.previous, inputs.word);
         let transition = self.transition(inputs, previous, start_up);
@@ -81,7 +87,7 @@ impl Device {
     }
 
     /// What the power stage does in the present state.
-    pub(crate) fn order(&self, options: &StopOptions) -> Order {
+    pub(crate) fn order(&self, options: StopOptions) -> Order {
         match (self.state, self.leaving) {
             (State::OperationEnabled, Some((_, reaction))) => stop(reaction),
             (State::OperationEnabled, None) => Order::Follow,
@@ -91,24 +97,30 @@ impl Device {
         }
     }
 
-    fn transition(&mut self, inputs: &Inputs, previous: Controlword, start_up: Duration) -> Option<Transition> {
-        let options = Options {
-            quick_stop_stays: inputs.options.quick_stop.stays,
-            fault_persists: inputs.persists,
-        };
+    fn transition(
+        &mut self,
+        inputs: &Inputs,
+        previous: Controlword,
+        start_up: Duration,
+    ) -> Option<Transition> {
+        let options =
+            Options { quick_stop_stays: inputs.options.quick_stop.stays, fault_persists: inputs.persists };
         let of = |state, cause| Transition::of(state, cause, options);
         let fault = inputs.fault && self.state != State::NotReadyToSwitchOn;
         let failed = fault.then(|| of(self.state, Cause::Fault)).flatten();
-        failed.or_else(|| self.done(inputs, start_up).then(|| of(self.state, Cause::Done)).flatten()).or_else(|| {
-            let command = self.command(inputs, previous);
-            let transition = command.and_then(|command| of(self.state, Cause::Command(command)));
-            self.wait(transition, inputs)
-        })
+        failed.or_else(|| self.done(inputs, start_up).then(|| of(self.state, Cause::Done)).flatten()).or_else(
+            || {
+                let command = self.command(inputs, previous);
+                let transition = command.and_then(|command| of(self.state, Cause::Command(command)));
+                self.wait(transition, inputs)
+            },
+        )
     }
 
     /// Whether the drive leaves its state by itself.
     fn done(&self, inputs: &Inputs, start_up: Duration) -> bool {
-        let stopped = |option: StopOption| option.reaction == Reaction::Coast || inputs.standstill || !inputs.power;
+        let stopped =
+            |option: StopOption| option.reaction == Reaction::Coast || inputs.standstill || !inputs.power;
         match self.state {
             State::NotReadyToSwitchOn => self.up >= start_up,
             State::QuickStopActive => stopped(inputs.options.quick_stop),
@@ -120,7 +132,8 @@ impl Device {
     /// The command of this sample. Without power it is to disable the voltage, in the states that need it; the drive
     /// does not obey the controlword while it is operated locally.
     fn command(&self, inputs: &Inputs, previous: Controlword) -> Option<Command> {
-        let needs = matches!(self.state, State::SwitchedOn | State::OperationEnabled | State::QuickStopActive);
+        let needs =
+            matches!(self.state, State::SwitchedOn | State::OperationEnabled | State::QuickStopActive);
         if needs && !inputs.power {
             return Some(Command::DisableVoltage);
         }
@@ -201,10 +214,10 @@ mod tests {
         let mut device = enabled();
         let moving = |word| Inputs { standstill: false, ..inputs(word) };
         assert_eq!(device.step(&moving(7), MS, MS), None);
-        assert_eq!(device.order(&moving(7).options), Order::Stop(Reaction::SlowDownRamp));
+        assert_eq!(device.order(moving(7).options), Order::Stop(Reaction::SlowDownRamp));
         assert_eq!(device.step(&moving(7), MS, MS), None);
         assert_eq!(device.step(&moving(15), MS, MS), None);
-        assert_eq!(device.order(&moving(15).options), Order::Follow);
+        assert_eq!(device.order(moving(15).options), Order::Follow);
         assert_eq!(device.state(), OperationEnabled);
     }
 

@@ -18,6 +18,7 @@ use super::memory::{Memory, Slot, SpaceError};
 use super::modes::Modes;
 use super::network::{is_change, BusRefusal};
 use super::number::low16;
+use super::plant::Plant;
 use super::process::Layout;
 use super::server::{self, NoUpload, Situation};
 use super::slots::Slots;
@@ -46,6 +47,7 @@ use super::{assumptions, rules};
 /// assert_eq!(drive.statusword().0, 0x0231);
 /// ```
 #[derive(Debug)]
+#[allow(clippy::struct_excessive_bools)] // Each is a line of its own at the drive.
 pub struct VirtualDrive<'m, 's> {
     pub(super) memory: Memory<'m, 's>,
     pub(super) slots: Slots,
@@ -58,6 +60,8 @@ pub struct VirtualDrive<'m, 's> {
     pub(super) rest: Duration,
     pub(super) esm: EsmState,
     pub(super) received: Layout,
+    /// Process data carry more than words and targets.
+    pub(super) parameters: bool,
     pub(super) sent: Layout,
     /// Time since process data came.
     pub(super) silent: Duration,
@@ -95,25 +99,26 @@ impl core::fmt::Display for NoAnswer {
 impl core::error::Error for NoAnswer {}
 
 impl<'m, 's> VirtualDrive<'m, 's> {
-    /// A drive whose supplies are switched on at this moment, in PreOP: the master has set up the mailbox.
+    /// A drive whose supplies are switched on at this moment, in `PreOP`: the master has set up the mailbox.
     ///
     /// # Errors
     /// `memory` has fewer cells than [`cells`](super::cells) says.
     pub fn new(model: &'m DriveModel<'m>, memory: &'s mut [i64], config: Config) -> Result<Self, SpaceError> {
         let memory = Memory::new(model, memory)?;
         let slots = Slots::of(&memory);
-        let modes = Modes::new(&memory, &slots, &config);
+        let axis = Modes::new(&memory, &slots, &config, Plant::default());
         let mut drive = Self {
             memory,
             slots,
             config,
             device: Device::new(),
             alarms: Alarms::new(model),
-            modes,
+            modes: axis,
             now: Instant::START,
             rest: Duration::ZERO,
             esm: EsmState::PreOp,
             received: Layout::EMPTY,
+            parameters: false,
             sent: Layout::EMPTY,
             silent: Duration::ZERO,
             supply: true,
@@ -124,6 +129,13 @@ impl<'m, 's> VirtualDrive<'m, 's> {
         };
         drive.publish();
         Ok(drive)
+    }
+
+    /// The same drive on another axis.
+    #[must_use]
+    pub fn with_axis(mut self, axis: Plant) -> Self {
+        self.modes = Modes::new(&self.memory, &self.slots, &self.config, axis);
+        self
     }
 
     /// What is assumed where manuals are silent: [`ASSUMPTIONS`](super::ASSUMPTIONS).
@@ -149,6 +161,26 @@ impl<'m, 's> VirtualDrive<'m, 's> {
     /// The state of the state machine.
     pub const fn state(&self) -> State {
         self.device.state()
+    }
+
+    /// The axis: where it is, how fast, what its switches say.
+    pub const fn axis(&self) -> &Plant {
+        self.modes.plant()
+    }
+
+    /// The axis, to put a load on it.
+    pub fn axis_mut(&mut self) -> &mut Plant {
+        self.modes.plant_mut()
+    }
+
+    /// Sets the input of a touch probe: 0 is the first, 1 the second; there are no others.
+    pub fn set_probe(&mut self, probe: usize, level: bool) {
+        self.modes.set_probe(probe, level);
+    }
+
+    /// The count of the axis at which the position is 0.
+    pub const fn origin(&self) -> i64 {
+        self.modes.origin()
     }
 
     /// The statusword as it is.
@@ -202,7 +234,8 @@ impl<'m, 's> VirtualDrive<'m, 's> {
             local: self.local,
             keeps: self.config.keeps,
         };
-        let written = server::download(&mut self.memory, &situation, address, data).map_err(NoAnswer::Abort)?;
+        let written =
+            server::download(&mut self.memory, &situation, address, data).map_err(NoAnswer::Abort)?;
         self.written(written.slot, written.address);
         Ok(())
     }
@@ -216,7 +249,8 @@ impl<'m, 's> VirtualDrive<'m, 's> {
     /// Alarms that a value raises, and values of which the drive keeps a copy in another form.
     fn written(&mut self, slot: Slot, address: Address) {
         let value = self.memory.used(slot);
-        let raised = rules::broken_by(&self.memory, address, value).find_map(|rule| rules::alarm(self.model(), rule));
+        let raised =
+            rules::broken_by(&self.memory, address, value).find_map(|rule| rules::alarm(self.model(), rule));
         if let Some(alarm) = raised {
             self.raise_alarm(alarm, false);
         }
@@ -250,7 +284,7 @@ impl<'m, 's> VirtualDrive<'m, 's> {
         Ok(())
     }
 
-    /// From PreOP to SafeOP: what is exchanged is fixed.
+    /// From `PreOP` to `SafeOP`: what is exchanged is fixed.
     fn lay_out(&mut self) -> Result<(), BusRefusal> {
         let clock = if self.config.distributed_clocks { Occasion::Dc } else { Occasion::FreeRun };
         if rules::broken(&self.memory, clock).next().is_some() {
@@ -258,6 +292,7 @@ impl<'m, 's> VirtualDrive<'m, 's> {
         }
         self.received = Layout::of(&self.memory, Direction::Rx).map_err(|_| BusRefusal::OutputMapping)?;
         self.sent = Layout::of(&self.memory, Direction::Tx).map_err(|_| BusRefusal::InputMapping)?;
+        self.parameters = !self.received.is_of(&self.slots.set_points());
         Ok(())
     }
 
@@ -269,7 +304,7 @@ impl<'m, 's> VirtualDrive<'m, 's> {
         }
     }
 
-    /// Bytes of the process data that the drive receives and sends: 0 before SafeOP.
+    /// Bytes of the process data that the drive receives and sends: 0 before `SafeOP`.
     pub fn process_data_bytes(&self) -> (usize, usize) {
         match self.esm {
             EsmState::SafeOp | EsmState::Op => (self.received.bytes(), self.sent.bytes()),
@@ -282,13 +317,13 @@ impl<'m, 's> VirtualDrive<'m, 's> {
         let taken = self.supply && self.esm == EsmState::Op && data.len() == self.received.bytes();
         if taken {
             self.received.unpack(&mut self.memory, data);
-            self.modes.refresh();
+            self.modes.received(self.parameters);
             self.silent = Duration::ZERO;
         }
         taken
     }
 
-    /// Gives process data, in SafeOP and OP; the number of bytes, or `None` where there are none or there is no room.
+    /// Gives process data, in `SafeOP` and `OP`; the number of bytes, or `None` where there are none or there is no room.
     pub fn send(&self, into: &mut [u8]) -> Option<usize> {
         let sends = self.supply && matches!(self.esm, EsmState::SafeOp | EsmState::Op);
         let length = self.sent.bytes();

@@ -56,12 +56,14 @@ const CODES: &[(Incident, u16, &str)] = &[
 /// The alarm for an incident; `None` where the drive has none, and only bits tell.
 pub(crate) fn alarm<'m>(model: &DriveModel<'m>, incident: Incident) -> Option<&'m AlarmDesc<'m>> {
     let rows = CODES.iter().filter(|(of, ..)| *of == incident);
-    rows.flat_map(|(_, code, word)| model.alarms_by_code(*code).filter(|alarm| holds(alarm.name(), word))).next()
+    rows.flat_map(|(_, code, word)| model.alarms_by_code(*code).filter(|alarm| holds(alarm.name(), word)))
+        .next()
 }
 
 /// Whether `word`, in lower case, is in `name`, in any case.
 fn holds(name: &str, word: &str) -> bool {
-    word.is_empty() || name.as_bytes().windows(word.len()).any(|part| part.eq_ignore_ascii_case(word.as_bytes()))
+    word.is_empty()
+        || name.as_bytes().windows(word.len()).any(|part| part.eq_ignore_ascii_case(word.as_bytes()))
 }
 
 #[cfg(test)]

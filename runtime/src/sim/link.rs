@@ -65,7 +65,12 @@ impl<'d, 'm, 's> Link<'d, 'm, 's> {
         }
     }
 
-    fn read(&mut self, address: Address, into: &mut [u8], within: Duration) -> Result<usize, Refusal<Infallible>> {
+    fn read(
+        &mut self,
+        address: Address,
+        into: &mut [u8],
+        within: Duration,
+    ) -> Result<usize, Refusal<Infallible>> {
         self.ask(within, |drive| drive.upload(address, into))
     }
 
@@ -82,6 +87,16 @@ impl<'d, 'm, 's> Link<'d, 'm, 's> {
         }
     }
 
+    /// A cycle in which nothing arrives.
+    pub(super) fn pass_cycle(&mut self) {
+        self.drive.advance(self.cycle);
+    }
+
+    /// Where the statusword is in what the drive sends.
+    pub(super) fn statusword_byte(&self) -> Option<usize> {
+        self.drive.sent.byte_of(self.drive.slots.statusword)
+    }
+
     fn pass(&mut self, until: Instant) {
         let span = until.since(self.drive.now());
         self.drive.advance(span);
@@ -91,11 +106,21 @@ impl<'d, 'm, 's> Link<'d, 'm, 's> {
 impl Transport for Link<'_, '_, '_> {
     type Error = Infallible;
 
-    fn upload(&mut self, address: Address, into: &mut [u8], within: Duration) -> Result<usize, Refusal<Infallible>> {
+    fn upload(
+        &mut self,
+        address: Address,
+        into: &mut [u8],
+        within: Duration,
+    ) -> Result<usize, Refusal<Infallible>> {
         self.read(address, into, within)
     }
 
-    fn download(&mut self, address: Address, data: &[u8], within: Duration) -> Result<(), Refusal<Infallible>> {
+    fn download(
+        &mut self,
+        address: Address,
+        data: &[u8],
+        within: Duration,
+    ) -> Result<(), Refusal<Infallible>> {
         self.write(address, data, within)
     }
 

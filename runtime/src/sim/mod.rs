@@ -4,7 +4,7 @@
 //! Its values lie in memory of the caller, its time is what it is told. What a manual does not say is a setting of
 //! [`Config`], listed with its reason in [`ASSUMPTIONS`]: nothing here is said of the maker's drive.
 //!
-//! [`Link`] joins it with a client in one program.
+//! [`Link`] joins it with a client in one program; [`Disturbed`] lies between them and does what real wires do.
 
 mod aborts;
 mod alarms;
@@ -14,11 +14,15 @@ mod cycle;
 mod device;
 mod drive;
 mod events;
+mod faults;
 mod link;
 mod memory;
 mod modes;
+mod motion;
 mod network;
 mod number;
+pub mod planner;
+pub mod plant;
 mod process;
 mod remap;
 mod rules;
@@ -33,6 +37,7 @@ pub use assumptions::{Assumption, ASSUMPTIONS};
 pub use config::{Config, HomeOffset, Keeps};
 pub use drive::{NoAnswer, VirtualDrive};
 pub use events::Incident;
+pub use faults::{Disturbance, Disturbed, MAX_DISTURBANCES};
 pub use link::Link;
 pub use memory::{cells, SpaceError};
 pub use network::BusRefusal;

@@ -2,7 +2,7 @@
 
 use crate::address::Address;
 use crate::mapping::Direction;
-use crate::model::PdoDesc;
+use crate::model::{PdoDesc, Remap};
 use crate::pdo::MapEntry;
 
 use super::memory::{Memory, Slot};
@@ -24,7 +24,7 @@ pub(crate) const fn assignment(direction: Direction) -> u16 {
     }
 }
 
-/// Why there is no layout: the master is refused SafeOP.
+/// Why there is no layout: the master is refused `SafeOP`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct LayoutError(pub(crate) Direction);
 
@@ -59,8 +59,8 @@ impl Layout {
     pub(crate) fn of(memory: &Memory<'_, '_>, direction: Direction) -> Result<Self, LayoutError> {
         let mut layout = Self::EMPTY;
         for pdo in assigned(memory, direction) {
-            let pdo = pdo.filter(|pdo| fits(memory, pdo)).ok_or(LayoutError(direction))?;
-            for entry in entries(memory, pdo) {
+            let pdo = pdo.filter(|pdo| pdo.fits(memory)).ok_or(LayoutError(direction))?;
+            for entry in pdo.entries(memory) {
                 layout.push(memory, entry).ok_or(LayoutError(direction))?;
             }
         }
@@ -72,7 +72,13 @@ impl Layout {
         let signed = memory.object(slot).is_some_and(|object| object.data_type().is_signed());
         let field = self.fields.get_mut(self.used)?;
         let byte = u16::try_from(self.bits >> 3).ok()?;
-        *field = Field { slot, byte, shift: (self.bits & 7) as u8, bits: entry.bits(), signed };
+        *field = Field {
+            slot,
+            byte,
+            shift: low8(i64::try_from(self.bits & 7).unwrap_or(0)),
+            bits: entry.bits(),
+            signed,
+        };
         self.used = self.used.checked_add(1)?;
         self.bits = self.bits.checked_add(usize::from(entry.bits()))?;
         Some(())
@@ -88,6 +94,17 @@ impl Layout {
         slot.exists() && self.fields.iter().take(self.used).any(|field| field.slot == slot)
     }
 
+    /// The first byte of an entry.
+    pub(crate) fn byte_of(&self, slot: Slot) -> Option<usize> {
+        let field = self.fields.iter().take(self.used).find(|field| field.slot == slot && slot.exists())?;
+        Some(usize::from(field.byte))
+    }
+
+    /// Whether it has no entries but these.
+    pub(crate) fn is_of(&self, slots: &[Slot]) -> bool {
+        self.fields.iter().take(self.used).all(|field| !field.slot.exists() || slots.contains(&field.slot))
+    }
+
     /// The values that `data` hold go to their entries.
     pub(crate) fn unpack(&self, memory: &mut Memory<'_, '_>, data: &[u8]) {
         for field in self.fields.iter().take(self.used) {
@@ -100,7 +117,7 @@ impl Layout {
 
     /// The values of the entries go to `data`, which is as long as the layout.
     pub(crate) fn pack(&self, memory: &Memory<'_, '_>, data: &mut [u8]) {
-        data.iter_mut().for_each(|byte| *byte = 0);
+        data.fill(0);
         for field in self.fields.iter().take(self.used) {
             let value = bits(extend(bits(memory.now(field.slot)), u32::from(field.bits), false));
             let value = u128::from(value) << (field.shift & 7);
@@ -110,44 +127,91 @@ impl Layout {
     }
 }
 
+/// Process data of the drive: a mapping object, or a row of the model.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pdo<'m> {
+    index: u16,
+    pub(crate) direction: Direction,
+    /// What the manual says of it, or where it has no entries as the drive ships, of the first in its direction.
+    about: Option<&'m PdoDesc<'m>>,
+    /// As the drive ships.
+    shipped: &'m [MapEntry],
+}
+
+impl<'m> Pdo<'m> {
+    /// The one at `index`; `None` if there is none.
+    pub(crate) fn at(memory: &Memory<'m, '_>, index: u16) -> Option<Self> {
+        let own = memory.model().pdo(Address::new(index, 0));
+        if let Some(own) = own {
+            return Some(Self {
+                index,
+                direction: own.direction(),
+                about: Some(own),
+                shipped: own.entries(),
+            });
+        }
+        let direction = match index {
+            0x1600..=0x17FF => Direction::Rx,
+            0x1A00..=0x1BFF => Direction::Tx,
+            _ => return None,
+        };
+        let there = memory.slot(Address::new(index, 0)).exists();
+        there.then(|| Self { index, direction, about: first(memory, direction), shipped: &[] })
+    }
+
+    /// What it carries at this moment: as its mapping object says, or as the drive ships where there is none.
+    pub(crate) fn entries<'a>(self, memory: &'a Memory<'m, '_>) -> impl Iterator<Item = MapEntry> + 'a
+    where
+        'm: 'a,
+    {
+        let number = memory.at(Address::new(self.index, 0));
+        let mapped = (1..=number.map_or(0, low8))
+            .map(move |sub| MapEntry::from_word(memory.at(Address::new(self.index, sub)).map_or(0, low32)));
+        mapped.chain(self.shipped.iter().copied().filter(move |_| number.is_none()))
+    }
+
+    /// The most entries that it holds; `None` where nobody says it.
+    pub(crate) fn max_entries(self) -> Option<u8> {
+        self.about.and_then(PdoDesc::max_entries)
+    }
+
+    /// What a master may change.
+    pub(crate) fn remap(self) -> Remap {
+        self.about.map_or(Remap::NotStated, PdoDesc::remap)
+    }
+
+    /// Whether what it carries is as long as it may be.
+    fn fits(self, memory: &Memory<'m, '_>) -> bool {
+        let bits: usize = self.entries(memory).map(|entry| usize::from(entry.bits())).sum();
+        let most = self.about.and_then(PdoDesc::max_bytes);
+        most.map_or(true, |most| bits.div_ceil(8) <= usize::from(most))
+    }
+
+    /// Whether it is assigned.
+    pub(crate) fn is_assigned(self, memory: &Memory<'m, '_>) -> bool {
+        assigned(memory, self.direction).flatten().any(|other| other.index == self.index)
+    }
+}
+
+/// The first row of the model in a direction.
+fn first<'m>(memory: &Memory<'m, '_>, direction: Direction) -> Option<&'m PdoDesc<'m>> {
+    memory.model().pdos().iter().find(|pdo| pdo.direction() == direction)
+}
+
 /// The process data that are assigned, in order; `None` for one that is not there. Without an object for it, the first of
 /// the model.
 fn assigned<'a, 'm>(
     memory: &'a Memory<'m, '_>,
     direction: Direction,
-) -> impl Iterator<Item = Option<&'m PdoDesc<'m>>> + 'a {
+) -> impl Iterator<Item = Option<Pdo<'m>>> + 'a {
     let index = assignment(direction);
     let number = memory.at(Address::new(index, 0));
     let listed = (1..=number.map_or(0, low8)).map(move |sub| {
         let pdo = memory.at(Address::new(index, sub)).map_or(0, low16);
-        memory.model().pdo(Address::new(pdo, 0)).filter(|pdo| pdo.direction() == direction)
+        Pdo::at(memory, pdo).filter(|pdo| pdo.direction == direction)
     });
-    let first = memory.model().pdos().iter().find(move |pdo| pdo.direction() == direction);
-    listed.chain(first.filter(|_| number.is_none()).map(Some))
-}
-
-/// What a PDO carries at this moment: as its mapping object says, or as the drive ships where there is none.
-pub(crate) fn entries<'a, 'm>(
-    memory: &'a Memory<'m, '_>,
-    pdo: &'m PdoDesc<'m>,
-) -> impl Iterator<Item = MapEntry> + 'a {
-    let index = pdo.address().index();
-    let number = memory.at(Address::new(index, 0));
-    let mapped = (1..=number.map_or(0, low8)).map(move |sub| {
-        MapEntry::from_word(memory.at(Address::new(index, sub)).map_or(0, low32))
-    });
-    mapped.chain(pdo.entries().iter().copied().filter(move |_| number.is_none()))
-}
-
-/// Whether what a PDO carries is as long as it may be.
-fn fits<'m>(memory: &Memory<'m, '_>, pdo: &'m PdoDesc<'m>) -> bool {
-    let bits: usize = entries(memory, pdo).map(|entry| usize::from(entry.bits())).sum();
-    pdo.max_bytes().map_or(true, |most| bits.div_ceil(8) <= usize::from(most))
-}
-
-/// Whether a PDO is assigned.
-pub(crate) fn is_assigned(memory: &Memory<'_, '_>, pdo: &PdoDesc<'_>) -> bool {
-    assigned(memory, pdo.direction()).flatten().any(|other| other.address() == pdo.address())
+    let alone = first(memory, direction).filter(|_| number.is_none());
+    listed.chain(alone.map(|pdo| Pdo::at(memory, pdo.address().index())))
 }
 
 #[cfg(test)]

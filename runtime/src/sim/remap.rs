@@ -3,33 +3,33 @@
 use crate::abort::AbortCode;
 use crate::address::Address;
 use crate::mapping::Direction;
-use crate::model::{DriveModel, EsmState, PdoDesc, Remap};
+use crate::model::{EsmState, Remap};
 use crate::pdo::MapEntry;
 
 use super::memory::Memory;
 use super::number::{low16, low32, low8};
-use super::process::{assignment, is_assigned};
+use super::process::{assignment, Pdo};
 
 /// An object that says what process data are.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Target<'m> {
     /// What a PDO carries.
-    Mapping(&'m PdoDesc<'m>),
+    Mapping(Pdo<'m>),
     /// Which PDOs are used.
     Assignment(Direction),
 }
 
 /// What `address` is, if it belongs to process data.
-pub(crate) fn target<'m>(model: &DriveModel<'m>, address: Address) -> Option<Target<'m>> {
+pub(crate) fn target<'m>(memory: &Memory<'m, '_>, address: Address) -> Option<Target<'m>> {
     let index = address.index();
     let direction = [Direction::Rx, Direction::Tx].into_iter().find(|d| assignment(*d) == index);
-    direction.map(Target::Assignment).or_else(|| model.pdo(address).map(Target::Mapping))
+    direction.map(Target::Assignment).or_else(|| Pdo::at(memory, index).map(Target::Mapping))
 }
 
-/// Whether `value` may be written: only in PreOP, and entries only while there is nothing that uses them.
-pub(crate) fn check(
-    memory: &Memory<'_, '_>,
-    target: Target<'_>,
+/// Whether `value` may be written: only in `PreOP`, and entries only while there is nothing that uses them.
+pub(crate) fn check<'m>(
+    memory: &Memory<'m, '_>,
+    target: Target<'m>,
     address: Address,
     value: i64,
     esm: EsmState,
@@ -41,10 +41,10 @@ pub(crate) fn check(
         (Target::Mapping(pdo), sub) => {
             mapping_is_free(memory, pdo)?;
             if sub == 0 {
-                number_of_entries(memory, pdo, low8(value))
+                number_of_entries(memory, pdo, address.index(), low8(value))
             } else {
                 sub_index_0_is_zero(memory, address)?;
-                entry(memory, pdo.direction(), MapEntry::from_word(low32(value)))
+                entry(memory, pdo.direction, MapEntry::from_word(low32(value)))
             }
         }
         (Target::Assignment(direction), 0) => number_of_pdos(memory, direction, low8(value)),
@@ -63,10 +63,10 @@ fn sub_index_0_is_zero(memory: &Memory<'_, '_>, address: Address) -> Result<(), 
 }
 
 /// The mapping of a PDO that is assigned is in use.
-fn mapping_is_free(memory: &Memory<'_, '_>, pdo: &PdoDesc<'_>) -> Result<(), AbortCode> {
+fn mapping_is_free<'m>(memory: &Memory<'m, '_>, pdo: Pdo<'m>) -> Result<(), AbortCode> {
     if matches!(pdo.remap(), Remap::Fixed | Remap::Selectable) {
         Err(AbortCode::UNSUPPORTED_ACCESS)
-    } else if is_assigned(memory, pdo) {
+    } else if pdo.is_assigned(memory) {
         Err(AbortCode::SUB_INDEX_0_NOT_ZERO)
     } else {
         Ok(())
@@ -91,11 +91,10 @@ fn is_gap(entry: MapEntry) -> bool {
 }
 
 /// As many entries as the PDO can hold, and each of them something.
-fn number_of_entries(memory: &Memory<'_, '_>, pdo: &'_ PdoDesc<'_>, number: u8) -> Result<(), AbortCode> {
+fn number_of_entries(memory: &Memory<'_, '_>, pdo: Pdo<'_>, index: u16, number: u8) -> Result<(), AbortCode> {
     if pdo.max_entries().is_some_and(|most| number > most) {
         return Err(AbortCode::PDO_LENGTH);
     }
-    let index = pdo.address().index();
     let word = |sub| memory.at(Address::new(index, sub));
     if (1..=number).any(|sub| word(sub).is_none()) {
         return Err(AbortCode::PDO_LENGTH);
@@ -105,8 +104,8 @@ fn number_of_entries(memory: &Memory<'_, '_>, pdo: &'_ PdoDesc<'_>, number: u8) 
 
 /// A PDO of this direction.
 fn assignable(memory: &Memory<'_, '_>, direction: Direction, value: i64) -> Result<(), AbortCode> {
-    let pdo = memory.model().pdo(Address::new(low16(value), 0));
-    pdo.filter(|pdo| pdo.direction() == direction).map(drop).ok_or(AbortCode::VALUE)
+    let pdo = Pdo::at(memory, low16(value));
+    pdo.filter(|pdo| pdo.direction == direction).map(|_| ()).ok_or(AbortCode::VALUE)
 }
 
 /// Each of the first `number` is a PDO of this direction, and none comes twice.

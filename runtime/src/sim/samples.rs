@@ -114,8 +114,14 @@ static RX: [MapEntry; 3] =
 static TX: [MapEntry; 3] =
     [MapEntry::new(at(0x6041, 0), 16), MapEntry::new(at(0x6064, 0), 32), MapEntry::new(at(0x6061, 0), 8)];
 static PDOS: [PdoDesc<'static>; 2] = [
-    PdoDesc::new(at(0x1600, 0), Direction::Rx, &RX).with_max_entries(8).with_max_bytes(32).with_remap(Remap::Free),
-    PdoDesc::new(at(0x1A00, 0), Direction::Tx, &TX).with_max_entries(8).with_max_bytes(32).with_remap(Remap::Free),
+    PdoDesc::new(at(0x1600, 0), Direction::Rx, &RX)
+        .with_max_entries(8)
+        .with_max_bytes(32)
+        .with_remap(Remap::Free),
+    PdoDesc::new(at(0x1A00, 0), Direction::Tx, &TX)
+        .with_max_entries(8)
+        .with_max_bytes(32)
+        .with_remap(Remap::Free),
 ];
 static ALARMS: [AlarmDesc<'static>; 5] = [
     AlarmDesc::new("OF", 0x25, 0x8611, "Following error exceeded").with_reset(Reset::Resettable),

@@ -77,7 +77,7 @@ fn write(
     if let Some(done) = store::write(memory, address, value) {
         return done.map(|()| written);
     }
-    if let Some(target) = remap::target(memory.model(), address) {
+    if let Some(target) = remap::target(memory, address) {
         remap::check(memory, target, address, value, situation.esm)?;
     }
     in_range(memory, object, value)?;

@@ -23,7 +23,6 @@ macro_rules! slots {
 
 slots! {
     error_register = 0x1001, 0;
-    error_count = 0x1003, 0;
     error_code = 0x603F, 0;
     controlword = 0x6040, 0;
     statusword = 0x6041, 0;
@@ -40,13 +39,10 @@ slots! {
     following_window = 0x6065, 0;
     following_time = 0x6066, 0;
     position_window = 0x6067, 0;
-    position_window_time = 0x6068, 0;
     velocity_demand = 0x606B, 0;
     velocity = 0x606C, 0;
     velocity_window = 0x606D, 0;
-    velocity_window_time = 0x606E, 0;
     velocity_threshold = 0x606F, 0;
-    velocity_threshold_time = 0x6070, 0;
     target_torque = 0x6071, 0;
     max_torque = 0x6072, 0;
     torque_demand = 0x6074, 0;
@@ -90,5 +86,20 @@ slots! {
     position_demand_counts = 0x60FC, 0;
     digital_inputs = 0x60FD, 0;
     target_velocity = 0x60FF, 0;
-    supported_modes = 0x6502, 0;
+}
+
+impl Slots {
+    /// Words and targets: what a master sends every cycle and no unit depends on.
+    pub(crate) const fn set_points(&self) -> [Slot; 8] {
+        [
+            self.controlword,
+            self.mode,
+            self.target_position,
+            self.target_velocity,
+            self.target_torque,
+            self.velocity_offset,
+            self.torque_offset,
+            self.probe_function,
+        ]
+    }
 }

@@ -26,7 +26,11 @@ fn group(sub: u8) -> fn(Address) -> bool {
 
 /// What a write to `address` does if it is one of these objects: it saves or restores with the right signature, and is
 /// refused with another. `None` for other objects.
-pub(crate) fn write(memory: &mut Memory<'_, '_>, address: Address, value: i64) -> Option<Result<(), AbortCode>> {
+pub(crate) fn write(
+    memory: &mut Memory<'_, '_>,
+    address: Address,
+    value: i64,
+) -> Option<Result<(), AbortCode>> {
     let which = group(address.sub());
     match (address.index(), address.sub(), low32(value)) {
         (STORE | RESTORE, 0, _) => None,

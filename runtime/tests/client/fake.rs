@@ -19,6 +19,8 @@ pub(crate) struct Quirks {
     pub(crate) stuck: bool,
     /// No mode is taken.
     pub(crate) refuses_modes: bool,
+    /// A mode is taken in operation only.
+    pub(crate) mode_in_operation_only: bool,
     /// No mode is taken while halt is set.
     pub(crate) halt_blocks_modes: bool,
     /// A set-point is never acknowledged.
@@ -51,6 +53,8 @@ pub(crate) struct Fake {
     pub(crate) state: State,
     pub(crate) options: Options,
     pub(crate) mode: Mode,
+    /// A quick stop is at its end in the cycle in which it begins.
+    pub(crate) ends_quick_stop_at_once: bool,
     pub(crate) position: i32,
     pub(crate) error_code: u16,
     pub(crate) bits: u16,
@@ -71,6 +75,7 @@ impl Fake {
             state,
             options: Options::default(),
             mode: Mode::NONE,
+            ends_quick_stop_at_once: false,
             position: 0,
             error_code: 0,
             bits: 0,
@@ -132,7 +137,8 @@ impl Fake {
 
     fn take_mode(&mut self, outputs: Outputs) {
         let blocked = self.quirks.halt_blocks_modes && outputs.controlword.halt();
-        if !self.quirks.refuses_modes && !blocked && self.mode != outputs.mode {
+        let early = self.quirks.mode_in_operation_only && self.state != State::OperationEnabled;
+        if !self.quirks.refuses_modes && !blocked && !early && self.mode != outputs.mode {
             (self.mode, self.bits) = (outputs.mode, 0);
             if self.quirks.acknowledge_is_high && self.mode == Mode::PROFILE_POSITION {
                 self.bits = ModeBits::SET_POINT_ACKNOWLEDGE;
@@ -146,6 +152,9 @@ impl Fake {
             // The edge counts when it has been held, and was low as long before.
             let held = word.fault_reset() && self.level_cycles == self.quirks.reset_level;
             command = (held && self.previous_level >= self.quirks.reset_level).then_some(Command::FaultReset);
+        }
+        if self.state == State::QuickStopActive && self.ends_quick_stop_at_once {
+            self.state = State::SwitchOnDisabled;
         }
         let options = Options { fault_persists: self.quirks.fault_persists, ..self.options };
         if let Some(made) = command.and_then(|c| Transition::of(self.state, Cause::Command(c), options)) {

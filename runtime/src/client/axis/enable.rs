@@ -54,7 +54,7 @@ impl Axis {
 
     pub(super) fn advance_enable(&mut self, mode: Mode) -> Verdict {
         self.not_faulted()?;
-        self.seeded(mode)?;
+        self.would_not_jump(mode)?;
         if self.policy.mode_before_enable && !self.mode_is_taken() {
             return if self.waited < self.policy.mode_within {
                 Ok(false)
@@ -76,7 +76,7 @@ impl Axis {
     }
 
     /// That the axis would not jump if it went to operation with the next cycle.
-    pub(super) fn seeded(&self, mode: Mode) -> Result<(), AxisErrorKind> {
+    pub(super) fn would_not_jump(&self, mode: Mode) -> Result<(), AxisErrorKind> {
         if mode != Mode::CYCLIC_POSITION || self.enabled {
             return Ok(());
         }

@@ -155,7 +155,7 @@ impl fmt::Display for AxisErrorKind {
             Self::Faulted { code } => with_code(f, "the drive reports a fault", code),
             Self::LeftOperation => f.write_str("the drive left operation by itself"),
             Self::NotAGoal => f.write_str("no command leads to this state"),
-            Self::ModeNotTaken { asked, shown, halted } => mode_not_taken(f, asked, shown, halted),
+            Self::ModeNotTaken { asked, shown, .. } => mode_not_taken(f, asked, shown),
             Self::ModeNotSupported { asked, supported } => {
                 write!(
                     f,
@@ -167,7 +167,7 @@ impl fmt::Display for AxisErrorKind {
             Self::WrongMode { shown: None } => f.write_str("the mode of the drive is not known"),
             Self::NotEnabled => f.write_str("the axis is not enabled"),
             Self::NoActualPosition => {
-                f.write_str("the actual position (6064h) is not known, so no target can be seeded")
+                f.write_str("the actual position, 6064h, is not known, so no target can be seeded")
             }
             Self::SeedTooFar { target, actual, limit } => {
                 write!(
@@ -184,8 +184,8 @@ impl fmt::Display for AxisErrorKind {
                 f.write_str("605Ah ends a quick stop without power: enable instead")
             }
             Self::StillFaulted { code } => with_code(f, "the fault is still there", code),
-            Self::NotAcknowledged => f.write_str("the set-point was not acknowledged: bit 12 did not rise"),
-            Self::AcknowledgeStays => f.write_str("bit 12 did not fall: the drive takes no set-point"),
+            Self::NotAcknowledged => f.write_str("the set-point was not acknowledged, bit 12 did not rise"),
+            Self::AcknowledgeStays => f.write_str("the drive takes no set-point, bit 12 did not fall"),
             Self::HomingNotStarted(state) => write!(f, "homing did not start: {state}"),
             Self::HomingFailed(state) => write!(f, "homing failed: {state}"),
             Self::HomingInterrupted => f.write_str("homing ended before home was found"),
@@ -201,27 +201,9 @@ fn with_code(f: &mut fmt::Formatter<'_>, what: &str, code: Option<u16>) -> fmt::
     }
 }
 
-fn mode_not_taken(f: &mut fmt::Formatter<'_>, asked: Mode, shown: Option<Mode>, halted: bool) -> fmt::Result {
+fn mode_not_taken(f: &mut fmt::Formatter<'_>, asked: Mode, shown: Option<Mode>) -> fmt::Result {
     match shown {
-        Some(Mode::NONE) => write!(f, "no mode of operation is selected (6061h is 0), asked for {asked}")?,
-        Some(shown) => write!(f, "6061h shows {shown}, asked for {asked}")?,
-        None => write!(f, "6061h was not read, asked for {asked}")?,
-    }
-    f.write_str(if halted { "; halt is set, and some drives take no mode then" } else { "" })
-}
-
-impl fmt::Display for AxisError {
-    /// One line: what, why, and what was seen and sent.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.doing, self.kind)?;
-        match self.statusword {
-            Some(word) if word.is_remote() => write!(f, "; state: {word}")?,
-            Some(word) => write!(f, "; state: {word}, remote = 0: the drive does not obey the controlword")?,
-            None => f.write_str("; state not known")?,
-        }
-        let (waited, in_state) = (self.waited.as_millis(), self.in_state.as_millis());
-        write!(f, "; last command: {}; tried for {waited} ms, {in_state} ms in this state", self.controlword)
+        Some(shown) => write!(f, "6061h shows {shown}, asked for {asked}"),
+        None => write!(f, "6061h was not read, asked for {asked}"),
     }
 }
-
-impl core::error::Error for AxisError {}

@@ -5,9 +5,11 @@
 
 mod enable;
 mod error;
+mod explain;
 mod home;
 mod io;
 mod policy;
+mod request;
 mod reset;
 mod set_point;
 mod stop;
@@ -22,6 +24,7 @@ use crate::time::Instant;
 pub use error::{AxisError, AxisErrorKind, Doing};
 pub use io::{Feedback, Outputs, Sample};
 pub use policy::{AxisPolicy, Modes, StepLimits};
+pub use request::Request;
 pub use set_point::SetPoint;
 
 use home::HomePhase;
@@ -107,6 +110,8 @@ pub struct Axis {
     last: Option<Instant>,
     view: View,
     out: Outputs,
+    /// What the last cycle gave: targets that come until the next one are measured from it.
+    base: Outputs,
     /// The command that goes out.
     level: Command,
     /// Samples that came since `level` is what it is, as far as they matter.
@@ -115,6 +120,8 @@ pub struct Axis {
     bits: u16,
     mode: Option<Mode>,
     commanded: Commanded,
+    /// A target position has been where the axis is.
+    seeded: bool,
     /// Operation was reached and has not been left on purpose.
     enabled: bool,
     homed: bool,
@@ -123,6 +130,8 @@ pub struct Axis {
     within: Duration,
     /// The goal has not seen a cycle yet: the time before it does not count.
     begins: bool,
+    /// A sample has come since it began.
+    informed: bool,
     waited: Duration,
     in_state: Duration,
     phase: Duration,
@@ -139,17 +148,20 @@ impl Axis {
             last: None,
             view: View::default(),
             out: Outputs::default(),
+            base: Outputs::default(),
             level: Command::DisableVoltage,
             level_samples: u8::MAX,
             bits: 0,
             mode: None,
             commanded: Commanded::default(),
+            seeded: false,
             enabled: false,
             homed: false,
             goal: Goal::Nothing,
             progress: Progress::Done,
             within: Duration::ZERO,
             begins: false,
+            informed: false,
             waited: Duration::ZERO,
             in_state: Duration::ZERO,
             phase: Duration::ZERO,
@@ -171,6 +183,7 @@ impl Axis {
         self.watch();
         self.pursue();
         self.compose();
+        self.base = self.out;
         self.out
     }
 
@@ -189,7 +202,7 @@ impl Axis {
         self.view.sample
     }
 
-    /// What goes out.
+    /// What goes out, with what was set since the last cycle.
     pub const fn outputs(&self) -> Outputs {
         self.out
     }
@@ -219,6 +232,19 @@ impl Axis {
         self.trip
     }
 
+    /// That the axis is in operation, brought there by this client.
+    ///
+    /// # Errors
+    /// [`AxisErrorKind::NotEnabled`], [`AxisErrorKind::Faulted`].
+    pub fn need_operation(&self) -> Result<(), AxisError> {
+        self.in_operation().map_err(|kind| self.error(kind))
+    }
+
+    /// Whether a set-point has been given in profile position mode.
+    pub const fn has_set_point(&self) -> bool {
+        self.commanded.position.is_some()
+    }
+
     /// Whether the drive decides where the axis is: everywhere but in operation in cyclic synchronous position mode. A
     /// master that plans positions must follow the actual one as long.
     pub fn position_is_owned_by_drive(&self) -> bool {
@@ -228,11 +254,13 @@ impl Axis {
     /// Sets or releases halt, bit 8 of the controlword. What it does is up to the mode and to 605Dh.
     pub fn halt(&mut self, on: bool) {
         self.set_bit(Controlword::HALT, on);
+        self.compose();
     }
 
     /// Sets the bits of the controlword that are the maker's: 10 to 15. Others are ignored.
     pub fn set_maker_bits(&mut self, bits: u16) {
         self.bits = self.bits & !MAKER_BITS | bits & MAKER_BITS;
+        self.compose();
     }
 }
 
@@ -249,11 +277,12 @@ impl Axis {
         self.end_edges();
         self.enter(goal);
         self.within = within;
-        self.begins = true;
+        (self.begins, self.informed) = (true, false);
         (self.waited, self.in_state) = (Duration::ZERO, Duration::ZERO);
         self.progress = Progress::Pending;
         self.trip = None;
         self.view.touch();
+        self.compose();
     }
 
     /// The next phase of a goal.
@@ -274,6 +303,7 @@ impl Axis {
             self.phase = self.phase.saturating_add(elapsed);
         }
         self.begins = false;
+        self.informed |= sample.is_some();
         if sample.is_some() {
             let most = self.policy.latency.saturating_add(1);
             self.level_samples = self.level_samples.saturating_add(1).min(most);
@@ -305,8 +335,8 @@ impl Axis {
         }
         let verdict = match (self.view.feedback(), self.view.word()) {
             (Feedback::Stale(_), _) => Err(AxisErrorKind::Stale { age: self.view.age() }),
-            (_, Some(word)) => self.advance(word),
-            (_, None) => Ok(false),
+            (_, Some(word)) if self.informed => self.advance(word),
+            _ => Ok(false),
         };
         match verdict {
             Ok(true) => self.finish(Progress::Done),
@@ -351,6 +381,8 @@ impl Axis {
         match self.goal {
             Goal::Enable(_) => self.let_go(),
             Goal::Resume if !self.enabled => self.let_go(),
+            // A stop that does not end by itself, for example: the motor is to be without torque.
+            Goal::Disable => self.set_level(Command::DisableVoltage),
             // A mode that was not taken now is not to be taken at any time later.
             Goal::SelectMode => self.mode = self.view.mode().or(self.mode),
             _ => (),

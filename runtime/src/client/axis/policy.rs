@@ -35,7 +35,7 @@ impl Modes {
     pub const fn has(self, mode: Mode) -> bool {
         match mode.supported_bit() {
             Some(bit) => self.0 & bit != 0,
-            None => mode.0 <= 0,
+            None => mode.0 <= 0 || self.0 == Self::ANY.0,
         }
     }
 
@@ -51,6 +51,9 @@ impl Modes {
 
 impl fmt::Display for Modes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if *self == Self::ANY {
+            return f.write_str("any");
+        }
         let mut modes = (1..=11).map(Mode).filter(|mode| self.has(*mode));
         match modes.next() {
             Some(first) => write!(f, "{first}")?,

@@ -95,7 +95,7 @@ impl Axis {
                 Ok(true)
             }
             (Some(State::QuickStopActive), Some(option)) if option.stays => {
-                self.seeded(self.out.mode)?;
+                self.would_not_jump(self.out.mode)?;
                 self.set_level(Command::EnableOperation);
                 Ok(false)
             }

@@ -24,8 +24,9 @@ impl Axis {
         self.takes_targets(&[Mode::CYCLIC_POSITION])?;
         let first = self.commanded.position.is_none();
         let limit = if first { Some(self.policy.seed_limit) } else { self.policy.step_limits.position };
-        self.in_reach(self.out.position, position, limit)?;
+        self.in_reach(self.base.position, position, limit)?;
         self.commanded.position = Some(position);
+        self.compose();
         Ok(())
     }
 
@@ -35,8 +36,9 @@ impl Axis {
     /// As of [`target_position`](Self::target_position); in profile velocity mode the drive makes the ramp, so no step is too far.
     pub fn target_velocity(&mut self, velocity: i32) -> Result<(), AxisError> {
         self.takes_targets(&[Mode::CYCLIC_VELOCITY, Mode::PROFILE_VELOCITY])?;
-        self.in_reach(self.out.velocity, velocity, self.cyclic(self.policy.step_limits.velocity))?;
+        self.in_reach(self.base.velocity, velocity, self.cyclic(self.policy.step_limits.velocity))?;
         self.commanded.velocity = Some(velocity);
+        self.compose();
         Ok(())
     }
 
@@ -48,8 +50,9 @@ impl Axis {
         let modes = [Mode::CYCLIC_TORQUE, Mode::CYCLIC_TORQUE_ANGLE, Mode::PROFILE_TORQUE];
         self.takes_targets(&modes)?;
         let limit = self.cyclic(self.policy.step_limits.torque);
-        self.in_reach(i32::from(self.out.torque), i32::from(torque), limit)?;
+        self.in_reach(i32::from(self.base.torque), i32::from(torque), limit)?;
         self.commanded.torque = Some(torque);
+        self.compose();
         Ok(())
     }
 
@@ -107,13 +110,17 @@ impl Axis {
         AxisError { doing: Doing::Target, ..self.error(kind) }
     }
 
-    /// 607Ah: what was commanded; where nothing is, the place at which the axis came into operation, and before that the
-    /// place where it is.
-    pub(super) fn target_position_out(&self) -> i32 {
+    /// 607Ah: what was commanded. Where nothing is: the place at which the axis came into operation in cyclic synchronous
+    /// position mode, and before that the place where it is.
+    pub(super) fn target_position_out(&mut self) -> i32 {
+        let operates = self.view.state() == Some(State::OperationEnabled);
+        let holds = self.seeded && operates && self.view.mode() == Some(Mode::CYCLIC_POSITION);
+        let actual = self.view.position();
+        self.seeded |= actual.is_some();
         match self.commanded.position {
             Some(position) => position,
-            None if self.follows(Mode::CYCLIC_POSITION) => self.out.position,
-            None => self.view.position().unwrap_or(self.out.position),
+            None if holds => self.out.position,
+            None => actual.unwrap_or(self.out.position),
         }
     }
 

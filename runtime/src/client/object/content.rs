@@ -44,7 +44,7 @@ impl<'b> Content<'b> {
     /// [`AccessError`] with why not.
     pub fn check(self, model: &DriveModel<'_>, object: &ObjectDesc<'_>) -> Result<(), AccessError> {
         let refused =
-            |cause| AccessError { address: object.address(), action: Action::Write(self.number()), cause };
+            |cause| AccessError { address: object.address(), action: Action::write(self.number()), cause };
         if !object.access().writes() {
             return Err(refused(Cause::Access(object.access())));
         }

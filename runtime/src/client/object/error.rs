@@ -18,8 +18,15 @@ use crate::wire::WireError;
 pub enum Action {
     /// A read.
     Read,
-    /// A write, of this number; `None` for text and bytes.
-    Write(Option<i128>),
+    /// A write, of this number; `None` for text, bytes and what is beyond 64 bits.
+    Write(Option<i64>),
+}
+
+impl Action {
+    /// A write of this number. Errors are values that are passed around: the number is kept in 64 bits.
+    pub(crate) fn write(number: Option<i128>) -> Self {
+        Self::Write(number.and_then(|number| i64::try_from(number).ok()))
+    }
 }
 
 /// Why it has no result.
@@ -129,7 +136,7 @@ impl<'m> Explained<'_, 'm> {
         }
         match (number, self.model, self.object()) {
             (Some(number), Some(model), Some(object)) => {
-                write!(f, " = {}", Shown::number(model, object, number))
+                write!(f, " = {}", Shown::number(model, object, number.into()))
             }
             (Some(number), ..) => write!(f, " = {number}"),
             _ => Ok(()),

@@ -31,6 +31,7 @@ mod untyped;
 pub use content::Content;
 pub use error::{AccessError, Action, Cause, Explained};
 pub use mapped::is_free;
+pub(crate) use show::Bits;
 pub use show::Shown;
 pub use typed::{Read, ReadBytes, Write, WriteBytes};
 pub use untyped::{ReadContent, WriteContent};
@@ -50,7 +51,7 @@ pub(crate) fn received(address: Address, answer: Answer<'_>) -> Result<&[u8], Ac
 pub(crate) fn taken(address: Address, number: Option<i128>, answer: Answer<'_>) -> Result<(), AccessError> {
     match answer {
         Answer::Written => Ok(()),
-        other => Err(AccessError { address, action: Action::Write(number), cause: Cause::of(other) }),
+        other => Err(AccessError { address, action: Action::write(number), cause: Cause::of(other) }),
     }
 }
 

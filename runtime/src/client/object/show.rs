@@ -3,11 +3,13 @@
 use core::fmt;
 
 use super::Content;
+use crate::bit_field::BitDesc;
 use crate::client::message::Clean;
 use crate::data_type::DataType;
 use crate::model::{DefaultValue, DriveModel, ObjectDesc};
 use crate::ratio::Factor;
 use crate::value::write_fraction;
+use crate::wire::Wire;
 
 /// What an entry holds, as a person reads it.
 ///
@@ -58,8 +60,9 @@ impl<'s, 'm> Shown<'s, 'm> {
                 None => write!(f, "{value}, which has no name"),
             };
         }
-        if self.model.bits_of(self.object).is_some() {
-            return write!(f, "{}", Bits(self.model, self.object, value));
+        if let (Some(table), Ok(word)) = (self.model.bits_of(self.object), u64::try_from(value)) {
+            let digits = self.object.data_type().bytes().saturating_mul(2);
+            return write!(f, "{}", Bits { rows: table.bits(), word, digits });
         }
         self.measured(f, value)
     }
@@ -95,39 +98,49 @@ impl fmt::Display for Shown<'_, '_> {
 }
 
 fn show_bytes(f: &mut fmt::Formatter<'_>, data_type: DataType, bytes: &[u8]) -> fmt::Result {
-    match (data_type, bytes) {
-        (DataType::VISIBLE_STRING, _) => write!(f, "\"{}\"", Clean(bytes)),
-        (DataType::REAL32, &[a, b, c, d]) => write!(f, "{}", f32::from_le_bytes([a, b, c, d])),
-        (DataType::REAL64, &[a, b, c, d, e, g, h, i]) => {
-            write!(f, "{}", f64::from_le_bytes([a, b, c, d, e, g, h, i]))
-        }
-        _ => {
-            f.write_str("[")?;
-            for (at, byte) in bytes.iter().enumerate() {
-                write!(f, "{}{byte:02X}", if at == 0 { "" } else { " " })?;
+    match data_type {
+        DataType::VISIBLE_STRING => return write!(f, "\"{}\"", Clean(bytes)),
+        DataType::REAL32 => {
+            if let Ok(value) = f32::decode(bytes) {
+                return write!(f, "{value}");
             }
-            f.write_str("]")
         }
+        DataType::REAL64 => {
+            if let Ok(value) = f64::decode(bytes) {
+                return write!(f, "{value}");
+            }
+        }
+        _ => {}
     }
+    f.write_str("[")?;
+    for (at, byte) in bytes.iter().enumerate() {
+        write!(f, "{}{byte:02X}", if at == 0 { "" } else { " " })?;
+    }
+    f.write_str("]")
 }
 
-/// The names of the bits that are set. Bits whose meaning depends on a mode are left out: the mode is not known here.
-struct Bits<'s, 'm>(&'s DriveModel<'m>, &'s ObjectDesc<'m>, i128);
+/// The names of the bits of a word that are set, and the word. Bits whose meaning depends on a mode are left out: the mode
+/// is not known here.
+pub(crate) struct Bits<'s, 'm> {
+    /// The names.
+    pub(crate) rows: &'s [BitDesc<'m>],
+    /// The word.
+    pub(crate) word: u64,
+    /// Hexadecimal digits of the word.
+    pub(crate) digits: usize,
+}
 
 impl fmt::Display for Bits<'_, '_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let digits = self.1.data_type().bytes().saturating_mul(2);
-        let word = u64::try_from(self.2).unwrap_or(0);
-        let rows = self.0.bits_of(self.1).map_or(&[][..], |table| table.bits());
-        let mut any = false;
+        let Self { rows, word, digits } = *self;
+        let mut gap = "";
         for row in rows.iter().filter(|row| row.mode().is_none() && row.of(word) != 0) {
-            f.write_str(if any { ", " } else { "" })?;
-            any = true;
-            f.write_fmt(format_args!("{}", Clean(row.name().as_bytes())))?;
+            write!(f, "{gap}{}", Clean(row.name().as_bytes()))?;
+            gap = ", ";
             if row.width() > 1 {
                 write!(f, " {}", row.of(word))?;
             }
         }
-        write!(f, "{}[{word:0digits$X}h]", if any { " " } else { "" })
+        write!(f, "{}[{word:0digits$X}h]", if gap.is_empty() { "" } else { " " })
     }
 }

@@ -97,7 +97,7 @@ impl<T: Fixed, A: Writable, M, Q> Write<T, A, M, Q> {
         let number = T::whole(value);
         let refused = |error| AccessError {
             address: object.address(),
-            action: Action::Write(number),
+            action: Action::write(number),
             cause: Cause::Range(error),
         };
         object.check(value).map_err(refused)?;

@@ -74,7 +74,7 @@ impl<'b> WriteContent<'b> {
     /// # Errors
     /// [`Cause::NotInProfile`], and those of [`Content::check`].
     pub fn new(model: &DriveModel<'_>, address: Address, content: Content<'b>) -> Result<Self, AccessError> {
-        let action = Action::Write(content.number());
+        let action = Action::write(content.number());
         let object = find(model, address, action)?;
         content.check(model, object)?;
         let mut number = [0; 8];

@@ -1,0 +1,481 @@
+//! A fault as a person reads it: which alarm, its causes, what to do, and how it is reset.
+//!
+//! Makers share error codes between alarms. The emergency message tells them apart where it carries the maker's number or
+//! auxiliary code; otherwise every alarm with the code is named.
+
+use core::fmt;
+
+use crate::address::Address;
+use crate::cia402::{Mode, State, Statusword};
+use crate::client::decode::ErrorRegister;
+use crate::client::message::{displays, Clean, Explain, Lines, Severity};
+use crate::client::object::{received, AccessError, Action, Cause};
+use crate::model::{AlarmDesc, AlarmText, DriveModel, EmcyContent, Reset};
+use crate::procedure::{Answer, Ask, Procedure};
+use crate::time::Instant;
+use crate::wire::Fixed;
+
+/// An emergency message.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Emergency(pub [u8; 8]);
+
+impl Emergency {
+    /// What the message holds of this kind; `None` where the profile does not say that it does. Error code and register are
+    /// where CiA 301 has them, unless the profile says otherwise.
+    pub fn part(self, model: &DriveModel<'_>, content: EmcyContent) -> Option<u16> {
+        let row = model.emcy().iter().find(|row| row.holds() == content);
+        let (byte, bytes) = match (row, content) {
+            (Some(row), _) => (row.byte(), row.bytes()),
+            (None, EmcyContent::ErrorCode) => (0, 2),
+            (None, EmcyContent::ErrorRegister) => (2, 1),
+            (None, _) => return None,
+        };
+        let from = usize::from(byte);
+        let part = self.0.get(from..from.saturating_add(bytes.into()))?;
+        match *part {
+            [low] => Some(low.into()),
+            [low, high] => Some(u16::from_le_bytes([low, high])),
+            _ => None,
+        }
+    }
+}
+
+/// What is known about a fault.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Evidence {
+    /// The statusword, 6041h.
+    pub statusword: Option<Statusword>,
+    /// The error code, 603Fh. It may be that of an earlier fault.
+    pub code: Option<u16>,
+    /// The error register, 1001h.
+    pub register: Option<ErrorRegister>,
+    /// The mode that is in effect, 6061h.
+    pub mode: Option<Mode>,
+    /// The last emergency message, which a transport may have received.
+    pub emergency: Option<Emergency>,
+}
+
+const ENTRIES: [Address; 4] =
+    [Address::new(0x6041, 0), Address::new(0x603F, 0), Address::new(0x1001, 0), Address::new(0x6061, 0)];
+
+/// Reads what a drive says about its fault, as far as the profile has the entries.
+#[derive(Clone, Copy, Debug)]
+pub struct ReadFault<'m> {
+    model: DriveModel<'m>,
+    place: usize,
+    asked: Option<Address>,
+    evidence: Evidence,
+    error: Option<AccessError>,
+}
+
+impl<'m> ReadFault<'m> {
+    /// The read from the drive of `model`.
+    pub fn new(model: &DriveModel<'m>) -> Self {
+        Self { model: *model, place: 0, asked: None, evidence: Evidence::default(), error: None }
+    }
+
+    /// With an emergency message that was received.
+    #[must_use]
+    pub const fn with_emergency(mut self, emergency: Emergency) -> Self {
+        self.evidence.emergency = Some(emergency);
+        self
+    }
+
+    fn take(&mut self, address: Address, answer: Answer<'_>) -> Result<(), AccessError> {
+        let evidence = &mut self.evidence;
+        match address.index() {
+            0x6041 => evidence.statusword = Some(Statusword(number(address, answer)?)),
+            0x603F => evidence.code = Some(number(address, answer)?),
+            0x1001 => evidence.register = Some(ErrorRegister(number(address, answer)?)),
+            _ => evidence.mode = Some(Mode(number(address, answer)?)),
+        }
+        Ok(())
+    }
+
+    fn over(&self) -> Result<Evidence, AccessError> {
+        let Evidence { statusword, code, register, .. } = self.evidence;
+        let nothing = statusword.is_none() && code.is_none() && register.is_none();
+        match self.error {
+            Some(error) if nothing => Err(error),
+            _ => Ok(self.evidence),
+        }
+    }
+}
+
+fn number<T: Fixed>(address: Address, answer: Answer<'_>) -> Result<T, AccessError> {
+    let wire = |error| AccessError { address, action: Action::Read, cause: Cause::Wire(error) };
+    received(address, answer).and_then(|bytes| T::decode(bytes).map_err(wire))
+}
+
+impl Procedure for ReadFault<'_> {
+    /// [`Err`] where nothing at all could be read.
+    type Output = Result<Evidence, AccessError>;
+
+    fn next(&mut self, _: Instant, answer: Answer<'_>) -> Ask<'_, Self::Output> {
+        if let Some(address) = self.asked.take() {
+            if let Err(error) = self.take(address, answer) {
+                self.error = Some(error);
+            }
+        }
+        while let Some(address) = ENTRIES.get(self.place) {
+            self.place = self.place.saturating_add(1);
+            if self.model.object(*address).is_some_and(|object| object.access().reads()) {
+                self.asked = Some(*address);
+                return Ask::Upload(*address);
+            }
+        }
+        Ask::Done(self.over())
+    }
+}
+
+/// A fault, with what the profile knows about it.
+///
+/// ```
+/// use drivewright_runtime::cia402::Statusword;
+/// use drivewright_runtime::client::fault::{Evidence, Fault};
+/// use drivewright_runtime::prelude::*;
+///
+/// static ALARMS: [AlarmDesc<'static>; 1] =
+///     [AlarmDesc::new("OF", 0x25, 0x8611, "following error exceeded").with_reset(Reset::Resettable)];
+/// static TEXTS: [AlarmText<'static>; 1] =
+///     [AlarmText::new("OF", 0x25, &["The axis is jammed", "The gain is too low"], &["Free the axis"])];
+/// let model = DriveModel::new(Identity::new("acme-x3", "Acme", "X3")).with_alarms(&ALARMS);
+///
+/// let evidence = Evidence { statusword: Some(Statusword(0x0238)), code: Some(0x8611), ..Evidence::default() };
+/// assert_eq!(Fault::new(&model, &TEXTS, evidence).to_string(), "\
+/// FAULT[OF]: following error exceeded [603Fh 8611h, alarm 25h, 6041h 0238h]
+///   causes : 1 The axis is jammed
+///            2 The gain is too low
+///   reset  : by a fault reset, once the cause is gone
+///   do     : Free the axis");
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Fault<'m> {
+    model: DriveModel<'m>,
+    texts: &'m [AlarmText<'m>],
+    evidence: Evidence,
+}
+
+impl<'m> Fault<'m> {
+    /// The fault that the evidence shows. `texts` are causes and remedies; empty where they are not at hand.
+    pub const fn new(model: &DriveModel<'m>, texts: &'m [AlarmText<'m>], evidence: Evidence) -> Self {
+        Self { model: *model, texts, evidence }
+    }
+
+    /// Whether the drive is in fault now; `None` where the statusword is not known.
+    pub fn is_active(&self) -> Option<bool> {
+        let state = self.evidence.statusword?.state();
+        Some(matches!(state, Some(State::Fault | State::FaultReactionActive)))
+    }
+
+    /// The error code: of 603Fh, otherwise of the emergency message; `None` for none and for 0.
+    pub fn code(&self) -> Option<u16> {
+        let message = self.message(EmcyContent::ErrorCode);
+        self.evidence.code.filter(|code| *code != 0).or(message).filter(|code| *code != 0)
+    }
+
+    fn message(&self, content: EmcyContent) -> Option<u16> {
+        self.evidence.emergency?.part(&self.model, content)
+    }
+
+    /// What tells an alarm from others with its code. A message about another code says nothing about this one.
+    fn same(&self, alarm: &AlarmDesc<'_>) -> bool {
+        let told = self.message(EmcyContent::ErrorCode) == self.code();
+        let number = self.message(EmcyContent::ErrorNumber).filter(|_| told);
+        let aux = self.message(EmcyContent::AuxiliaryCode).filter(|_| told);
+        number.map_or(true, |number| number == alarm.number())
+            && aux.map_or(true, |aux| alarm.aux().map_or(true, |stated| stated == aux))
+    }
+
+    /// The alarms that it may be: those with the code, and with what the emergency message tells of them. If that fits none,
+    /// all with the code.
+    pub fn alarms(&self) -> impl Iterator<Item = &'m AlarmDesc<'m>> + '_ {
+        let code = self.code();
+        let with_code = move || self.model.alarms().iter().filter(move |alarm| Some(alarm.code()) == code);
+        let any = with_code().any(|alarm| self.same(alarm));
+        with_code().filter(move |alarm| !any || self.same(alarm))
+    }
+
+    /// The alarm; `None` where it is not known, or may be one of several.
+    pub fn alarm(&self) -> Option<&'m AlarmDesc<'m>> {
+        let mut alarms = self.alarms();
+        let first = alarms.next()?;
+        alarms.next().is_none().then_some(first)
+    }
+
+    fn text(&self) -> Option<&'m AlarmText<'m>> {
+        AlarmText::find(self.texts, self.alarm()?)
+    }
+
+    fn raw(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Evidence { statusword, code, register, .. } = self.evidence;
+        let mut gap = " [";
+        let mut put = |label: &str, value: Option<u16>, digits: usize| match value {
+            None => Ok(()),
+            Some(value) => {
+                let result = write!(f, "{gap}{label} {value:0digits$X}h");
+                gap = ", ";
+                result
+            }
+        };
+        put("603Fh", code, 4)?;
+        put("alarm", self.alarm().map(AlarmDesc::number), 2)?;
+        put("EMCY", self.message(EmcyContent::ErrorCode), 4)?;
+        put("aux", self.message(EmcyContent::AuxiliaryCode), 4)?;
+        put("1001h", register.map(|register| register.0.into()), 2)?;
+        put("6041h", statusword.map(|word| word.0), 4)?;
+        f.write_str(if gap == ", " { "]" } else { "" })
+    }
+}
+
+impl Explain for Fault<'_> {
+    fn severity(&self) -> Severity {
+        match self.is_active() {
+            Some(false) if self.evidence.statusword.is_some_and(Statusword::has_warning) => Severity::Warning,
+            Some(false) => Severity::Note,
+            _ => Severity::Fault,
+        }
+    }
+
+    fn code(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self.alarm(), Fault::code(self)) {
+            (Some(alarm), _) => write!(f, "{}", Clean(alarm.display().as_bytes())),
+            (None, Some(code)) => write!(f, "{code:04X}h"),
+            (None, None) => f.write_str("ALARM"),
+        }
+    }
+
+    fn what(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.is_active() == Some(false) {
+            f.write_str("not in fault now; the last one: ")?;
+        }
+        match (self.alarm(), Fault::code(self), self.alarms().count()) {
+            (Some(alarm), ..) => write!(f, "{}", Clean(alarm.name().as_bytes()))?,
+            (None, None, _) => f.write_str("the drive reports no error code")?,
+            (None, Some(code), 0) => write!(f, "{}, a code that the profile does not list", class(code))?,
+            (None, Some(_), many) => write!(f, "one of {many} alarms that share this code")?,
+        }
+        self.raw(f)
+    }
+
+    fn details(&self, lines: &mut Lines<'_, '_>) -> fmt::Result {
+        if self.alarm().is_none() {
+            lines.line("maybe", Maybe(self))?;
+        }
+        if let Some(register) = self.evidence.register.filter(|register| register.0 != 0) {
+            lines.line("kind", register)?;
+        }
+        if let Some(name) = self.evidence.mode.and_then(Mode::name) {
+            lines.line("mode", name)?;
+        }
+        lines.line("causes", Numbered(self.text().map_or(&[], |text| text.causes())))?;
+        lines.line("reset", self.alarm().map_or("", |alarm| how(alarm.reset())))
+    }
+
+    fn remedy(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", Numbered(self.text().map_or(&[], |text| text.remedies())))
+    }
+}
+
+const fn how(reset: Reset) -> &'static str {
+    match reset {
+        Reset::NotStated => "the manual does not say",
+        Reset::Resettable => "by a fault reset, once the cause is gone",
+        Reset::NotResettable => "not by a fault reset",
+        Reset::PowerCycle => "by switching the control supply off and on; do not repeat fault resets",
+    }
+}
+
+/// Texts below one another, with numbers if there are several.
+struct Numbered<'t>(&'t [&'t str]);
+
+impl fmt::Display for Numbered<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let [only] = self.0 {
+            return write!(f, "{}", Clean(only.as_bytes()));
+        }
+        for (number, text) in (1..).zip(self.0) {
+            write!(f, "{}{number} {}", if number == 1 { "" } else { "\n" }, Clean(text.as_bytes()))?;
+        }
+        Ok(())
+    }
+}
+
+/// The alarms that share a code, below one another.
+struct Maybe<'f, 'm>(&'f Fault<'m>);
+
+impl fmt::Display for Maybe<'_, '_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (place, alarm) in self.0.alarms().enumerate() {
+            let (display, name) = (Clean(alarm.display().as_bytes()), Clean(alarm.name().as_bytes()));
+            write!(f, "{}{display} {:02X}h {name}", if place == 0 { "" } else { "\n" }, alarm.number())?;
+        }
+        Ok(())
+    }
+}
+
+/// The class of an error code, CiA 301 and IEC 61800-7-201.
+const fn class(code: u16) -> &'static str {
+    match code >> 8 {
+        0x00 => "no error",
+        0x10..=0x1F => "generic error",
+        0x20 => "current",
+        0x21 => "current at the input",
+        0x22 => "current inside the device",
+        0x23 => "current at the output",
+        0x30 => "voltage",
+        0x31 => "mains voltage",
+        0x32 => "voltage inside the device",
+        0x33 => "voltage at the output",
+        0x40 => "temperature",
+        0x41 => "ambient temperature",
+        0x42..=0x43 => "temperature of the device",
+        0x50..=0x5F => "device hardware",
+        0x60..=0x62 => "device software",
+        0x63 => "parameters",
+        0x70..=0x7F => "additional modules",
+        0x80 | 0x89..=0x8F => "monitoring",
+        0x81 => "communication",
+        0x82 => "protocol",
+        0x83 => "torque control",
+        0x84 => "speed control",
+        0x85..=0x86 => "position control",
+        0x87..=0x88 => "synchronization",
+        0x90..=0x9F => "external error",
+        0xF0..=0xFE => "additional functions",
+        0xFF => "of the maker",
+        _ => "error",
+    }
+}
+
+displays! {
+    ['m] Fault<'m>;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::client::testing::{at, Dictionary, Nonsense};
+    use crate::prelude::*;
+    use crate::transport::Refusal;
+    use std::string::ToString;
+
+    static ALARMS: [AlarmDesc<'static>; 3] = [
+        AlarmDesc::new("OF", 0x25, 0x8611, "Following error").with_aux(0x8005).with_reset(Reset::Resettable),
+        AlarmDesc::new("oSt", 0x26, 0x8611, "Jammed").with_aux(0x0005).with_reset(Reset::PowerCycle),
+        AlarmDesc::new("EC", 0x10, 0x7305, "Encoder"),
+    ];
+    static TEXTS: [AlarmText<'static>; 1] = [AlarmText::new("oSt", 0x26, &["A"], &["B", "C\x1B"])];
+    static EMCY: [EmcyDesc; 2] =
+        [EmcyDesc::new(3, 1, EmcyContent::ErrorNumber), EmcyDesc::new(4, 2, EmcyContent::AuxiliaryCode)];
+    static OBJECTS: [ObjectDesc<'static>; 4] = [
+        ObjectDesc::new(at(0x1001, 0), DataType::UNSIGNED8, Access::Ro, Mapping::Tx, ""),
+        ObjectDesc::new(at(0x603F, 0), DataType::UNSIGNED16, Access::Ro, Mapping::Tx, ""),
+        ObjectDesc::new(at(0x6041, 0), DataType::UNSIGNED16, Access::Ro, Mapping::Tx, ""),
+        ObjectDesc::new(at(0x6061, 0), DataType::INTEGER8, Access::Ro, Mapping::Tx, ""),
+    ];
+    static MODEL: DriveModel<'static> = DriveModel::new(Identity::new("x3", "Acme", "X3"))
+        .with_objects(&OBJECTS)
+        .with_alarms(&ALARMS)
+        .with_emcy(&EMCY);
+
+    fn drive() -> Dictionary {
+        Dictionary::default()
+            .with(at(0x1001, 0), &[0x21])
+            .with(at(0x603F, 0), &[0x11, 0x86])
+            .with(at(0x6041, 0), &[0x38, 0x02])
+            .with(at(0x6061, 0), &[8])
+    }
+
+    fn fault(drive: &mut Dictionary, message: Option<[u8; 8]>) -> Fault<'static> {
+        let read = ReadFault::new(&MODEL);
+        let read = message.map_or(read, |message| read.with_emergency(Emergency(message)));
+        Fault::new(&MODEL, &TEXTS, drive.run(read).unwrap())
+    }
+
+    #[test]
+    fn the_emergency_message_tells_alarms_with_one_code_apart() {
+        let fault = fault(&mut drive(), Some([0x11, 0x86, 0x21, 0x26, 0x05, 0x00, 0, 0]));
+        assert_eq!(
+            fault.to_string(),
+            "\
+FAULT[oSt]: Jammed [603Fh 8611h, alarm 26h, EMCY 8611h, aux 0005h, 1001h 21h, 6041h 0238h]
+  kind   : generic, device profile [21h]
+  mode   : cyclic synchronous position
+  causes : A
+  reset  : by switching the control supply off and on; do not repeat fault resets
+  do     : 1 B
+           2 C\\x1b"
+        );
+    }
+
+    #[test]
+    fn without_it_all_alarms_with_the_code_are_named() {
+        let fault = fault(&mut drive(), None);
+        assert_eq!((fault.alarm(), fault.alarms().count()), (None, 2));
+        let text = fault.to_string();
+        assert!(
+            text.starts_with(
+                "FAULT[8611h]: one of 2 alarms that share this code [603Fh 8611h, 1001h 21h, 6041h 0238h]
+  maybe  : OF 25h Following error
+           oSt 26h Jammed\n"
+            ),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn a_message_about_something_else_is_no_evidence() {
+        let reset = fault(&mut drive(), Some([0; 8]));
+        assert_eq!((reset.is_active(), reset.alarms().count()), (Some(true), 2));
+        let contradicting = fault(&mut drive(), Some([0x11, 0x86, 0, 0x77, 0, 0, 0, 0]));
+        assert_eq!(contradicting.alarms().count(), 2, "a number that no alarm has");
+    }
+
+    #[test]
+    fn codes_that_the_profile_lacks_have_a_class() {
+        let text = fault(&mut drive().with(at(0x603F, 0), &[0x10, 0x43]), None).to_string();
+        assert!(
+            text.starts_with(
+                "FAULT[4310h]: temperature of the device, a code that the profile does not list ["
+            ),
+            "{text}"
+        );
+        let text = fault(&mut drive().with(at(0x603F, 0), &[0, 0]), None).to_string();
+        assert!(text.starts_with("FAULT[ALARM]: the drive reports no error code [603Fh 0000h, "), "{text}");
+    }
+
+    #[test]
+    fn a_fault_that_is_over_is_none() {
+        let over = fault(&mut drive().with(at(0x6041, 0), &[0x50, 0x02]), None);
+        assert_eq!((over.is_active(), over.severity()), (Some(false), Severity::Note));
+        assert!(over.to_string().starts_with("note[8611h]: not in fault now; the last one: one of 2"));
+        let warning = fault(&mut drive().with(at(0x6041, 0), &[0xB7, 0x02]), None);
+        assert_eq!(warning.severity(), Severity::Warning);
+    }
+
+    #[test]
+    fn a_drive_that_says_nothing_is_an_error() {
+        let mut drive = drive();
+        for object in &OBJECTS {
+            drive.reads.insert(object.address(), Refusal::NoAnswer);
+        }
+        assert_eq!(drive.run(ReadFault::new(&MODEL)).unwrap_err().cause, Cause::NoAnswer);
+    }
+
+    #[test]
+    fn nonsense_is_a_report_or_an_error() {
+        for seed in 0..2_000_u32 {
+            let mut drive = Nonsense::new(seed.into());
+            let message = u64::from(seed).wrapping_mul(0x9E37_79B9_7F4A_7C15).to_le_bytes();
+            let mut read = ReadFault::new(&MODEL).with_emergency(Emergency(message));
+            if let Ok(evidence) = drive.run(&mut read) {
+                let text = Fault::new(&MODEL, &TEXTS, evidence).to_string();
+                assert!(!text.contains('\u{1B}'));
+            }
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! Calls of a drive over a bus.
+
+use core::time::Duration;
+
+use drivewright_runtime::cia402::{Mode, State};
+use drivewright_runtime::client::axis::AxisPolicy;
+use drivewright_runtime::client::home::Homing;
+use drivewright_runtime::client::image::Image;
+use drivewright_runtime::client::moves::MoveTo;
+use drivewright_runtime::prelude::*;
+
+use crate::bus::{drive, drive_with, RX, TX};
+use crate::fake::Fake;
+
+const SECOND: Duration = Duration::from_secs(1);
+
+#[test]
+fn a_drive_is_enabled_homed_moved_and_disabled() {
+    let mut drive = drive(Fake::new(State::SwitchOnDisabled));
+    drive.enable(Mode::PROFILE_POSITION).unwrap();
+    drive.home(Homing::method(17).speeds(Value::rpm(60), Value::rpm(6)).offset(100)).unwrap();
+    assert!(drive.client().axis().is_homed());
+    assert_eq!(drive.bus().fake.mode, Mode::PROFILE_POSITION, "the mode is that of before");
+    drive.move_to(MoveTo::to(1_000).velocity(Value::rpm(300))).unwrap();
+    drive.move_to(MoveTo::by(-300)).unwrap();
+    assert_eq!(drive.bus().fake.position, 700);
+    drive.velocity(Value::rpm(-10), SECOND).unwrap();
+    assert_eq!(drive.bus().fake.heard.last().unwrap().velocity, -100);
+    drive.disable().unwrap();
+    assert_eq!(drive.bus().fake.transitions, [2, 3, 4, 5]);
+    let written: Vec<_> =
+        drive.bus().written.iter().map(|(at, bytes)| (at.to_string(), bytes.clone())).collect();
+    let expected = [
+        ("6099:01", &[0x58, 0x02, 0, 0][..]),
+        ("6099:02", &[60, 0, 0, 0]),
+        ("607C:00", &[100, 0, 0, 0]),
+        ("6098:00", &[17]),
+        ("6081:00", &[0xB8, 0x0B, 0, 0]),
+    ];
+    assert_eq!(written, expected.map(|(at, bytes)| (at.to_string(), bytes.to_vec())));
+}
+
+#[test]
+fn everything_goes_by_sdo_where_nothing_is_mapped() {
+    let image = Image::new(&[], &[]).unwrap();
+    let mut drive = drive_with(Fake::new(State::SwitchOnDisabled), image, AxisPolicy::default());
+    drive.enable(Mode::PROFILE_POSITION).unwrap();
+    drive.move_to(MoveTo::to(-5)).unwrap();
+    drive.home(Homing::method(1).keep_mode()).unwrap();
+    drive.quick_stop().unwrap();
+    let bus = drive.bus();
+    assert_eq!((bus.fake.position, bus.fake.state), (-5, State::QuickStopActive));
+    let order: Vec<_> = bus.written.iter().map(|(at, _)| at.index()).collect();
+    assert_eq!(order[..5], [0x6040, 0x6060, 0x6040, 0x6040, 0x6040], "the mode, then the states");
+    assert!(bus.written.iter().all(|(at, _)| at.index() != 0x60FF), "what does not matter is not written");
+}
+
+#[test]
+fn what_a_layout_does_not_carry_goes_by_sdo() {
+    let tx = &TX[1..2];
+    let image = Image::new(&RX[..1], tx).unwrap();
+    let mut drive = drive_with(Fake::new(State::SwitchOnDisabled), image, AxisPolicy::default());
+    drive.enable(Mode::CYCLIC_POSITION).unwrap();
+    drive.client_mut().axis_mut().target_position(20).unwrap();
+    drive.cycle().unwrap();
+    assert_eq!(drive.bus().fake.position, 20);
+}
+
+#[test]
+fn what_else_is_mapped_keeps_its_value() {
+    const LAYOUT: [MapEntry; 2] = [MapEntry::from_word(0x6072_0010), MapEntry::from_word(0x6040_0010)];
+    let image = Image::new(&LAYOUT, &TX).unwrap();
+    let mut drive = drive_with(Fake::new(State::SwitchOnDisabled), image, AxisPolicy::default());
+    drive.enable(Mode::PROFILE_VELOCITY).unwrap();
+    assert!(drive.bus().frames.iter().all(|frame| frame[..2] == [0xE8, 3]), "the torque limit of the drive");
+}
+
+#[test]
+fn a_jog_ends_when_it_is_let_go() {
+    let mut drive = drive(Fake::new(State::SwitchOnDisabled));
+    drive.enable(Mode::PROFILE_VELOCITY).unwrap();
+    let mut left = 20;
+    let held = || {
+        left -= 1;
+        left > 0
+    };
+    drive.jog(Value::rpm(30), SECOND, held).unwrap();
+    let heard = &drive.bus().fake.heard;
+    assert_eq!(heard.iter().filter(|outputs| outputs.velocity == 300).count(), 20);
+    assert_eq!(heard.last().unwrap().velocity, 0);
+    // Held for ever, it ends with its time.
+    drive.jog(Value::rpm(30), Duration::from_millis(50), || true).unwrap();
+    assert_eq!(drive.bus().fake.heard.last().unwrap().velocity, 0);
+}
+
+#[test]
+fn a_jog_that_is_given_up_stops_with_the_next_cycle() {
+    let mut drive = drive(Fake::new(State::SwitchOnDisabled));
+    drive.enable(Mode::PROFILE_VELOCITY).unwrap();
+    let cycles = drive.bus().frames.len() + 10;
+    drive.bus().faults.cut_after = Some(cycles);
+    drive.jog(Value::rpm(30), SECOND, || true).unwrap_err();
+    drive.bus().faults.cut_after = None;
+    assert_eq!(drive.bus().fake.heard.last().unwrap().velocity, 300);
+    drive.cycle().unwrap();
+    assert_eq!(drive.bus().fake.heard.last().unwrap().velocity, 0);
+}
