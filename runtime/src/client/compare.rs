@@ -89,7 +89,7 @@ pub struct Summary {
 /// Compares a drive with its profile.
 #[derive(Debug)]
 pub struct Compare<'m, F> {
-    model: DriveModel<'m>,
+    model: &'m DriveModel<'m>,
     sink: F,
     asked: Option<&'m ObjectDesc<'m>>,
     place: usize,
@@ -99,8 +99,8 @@ pub struct Compare<'m, F> {
 
 impl<'m, F: FnMut(Finding<'m, '_>)> Compare<'m, F> {
     /// The comparison of a drive with `model`; every finding goes to `sink`.
-    pub fn new(model: &DriveModel<'m>, sink: F) -> Self {
-        Self { model: *model, sink, asked: None, place: 0, silent: 0, summary: Summary::default() }
+    pub fn new(model: &'m DriveModel<'m>, sink: F) -> Self {
+        Self { model, sink, asked: None, place: 0, silent: 0, summary: Summary::default() }
     }
 
     fn tell(&mut self, object: &'m ObjectDesc<'m>, kind: Kind<'_>) {
@@ -116,7 +116,7 @@ impl<'m, F: FnMut(Finding<'m, '_>)> Compare<'m, F> {
         match content {
             Err(error) if self.silent >= SILENT_READS => return Err(error),
             Err(error) => self.tell(object, failed(error.cause)),
-            Ok(content) => match judge(&self.model, object, content) {
+            Ok(content) => match judge(self.model, object, content) {
                 Some(kind) => self.tell(object, kind),
                 None => self.summary.as_stated = self.summary.as_stated.saturating_add(1),
             },

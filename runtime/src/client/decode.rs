@@ -113,14 +113,14 @@ static INPUTS: [BitDesc<'static>; 4] = [
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct DigitalInputs<'m> {
-    model: DriveModel<'m>,
+    model: &'m DriveModel<'m>,
     word: u32,
 }
 
 impl<'m> DigitalInputs<'m> {
     /// What was read from 60FDh.
-    pub const fn new(model: &DriveModel<'m>, word: u32) -> Self {
-        Self { model: *model, word }
+    pub const fn new(model: &'m DriveModel<'m>, word: u32) -> Self {
+        Self { model, word }
     }
 
     /// The names of the bits.

@@ -64,7 +64,7 @@ const ENTRIES: [Address; 4] =
 /// Reads what a drive says about its fault, as far as the profile has the entries.
 #[derive(Clone, Copy, Debug)]
 pub struct ReadFault<'m> {
-    model: DriveModel<'m>,
+    model: &'m DriveModel<'m>,
     place: usize,
     asked: Option<Address>,
     evidence: Evidence,
@@ -73,8 +73,8 @@ pub struct ReadFault<'m> {
 
 impl<'m> ReadFault<'m> {
     /// The read from the drive of `model`.
-    pub fn new(model: &DriveModel<'m>) -> Self {
-        Self { model: *model, place: 0, asked: None, evidence: Evidence::default(), error: None }
+    pub fn new(model: &'m DriveModel<'m>) -> Self {
+        Self { model, place: 0, asked: None, evidence: Evidence::default(), error: None }
     }
 
     /// With an emergency message that was received.
@@ -154,15 +154,34 @@ impl Procedure for ReadFault<'_> {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Fault<'m> {
-    model: DriveModel<'m>,
+    model: &'m DriveModel<'m>,
     texts: &'m [AlarmText<'m>],
     evidence: Evidence,
 }
 
 impl<'m> Fault<'m> {
     /// The fault that the evidence shows. `texts` are causes and remedies; empty where they are not at hand.
-    pub const fn new(model: &DriveModel<'m>, texts: &'m [AlarmText<'m>], evidence: Evidence) -> Self {
-        Self { model: *model, texts, evidence }
+    pub const fn new(model: &'m DriveModel<'m>, texts: &'m [AlarmText<'m>], evidence: Evidence) -> Self {
+        Self { model, texts, evidence }
+    }
+
+    /// The fault that these values report, without texts; `None` if they report none.
+    pub fn of(model: &'m DriveModel<'m>, code: u16, statusword: Statusword) -> Option<Self> {
+        let evidence = Evidence { code: Some(code), statusword: Some(statusword), ..Evidence::default() };
+        let fault = Self::new(model, &[], evidence);
+        (code != 0 || fault.is_active() == Some(true)).then_some(fault)
+    }
+
+    /// With the texts of the alarms: causes and remedies. They are a table of their own, so that a program without them does
+    /// not carry them.
+    #[must_use]
+    pub const fn with_texts(self, texts: &'m [AlarmText<'m>]) -> Self {
+        Self { texts, ..self }
+    }
+
+    /// What is known about it.
+    pub const fn evidence(&self) -> Evidence {
+        self.evidence
     }
 
     /// Whether the drive is in fault now; `None` where the statusword is not known.
@@ -178,7 +197,7 @@ impl<'m> Fault<'m> {
     }
 
     fn message(&self, content: EmcyContent) -> Option<u16> {
-        self.evidence.emergency?.part(&self.model, content)
+        self.evidence.emergency?.part(self.model, content)
     }
 
     /// What tells an alarm from others with its code. A message about another code says nothing about this one.

@@ -91,15 +91,15 @@ const ENTRIES: [Address; 8] = [
 /// Reads what a drive says about itself, as far as its profile has the entries. What cannot be read is part of the result.
 #[derive(Clone, Copy, Debug)]
 pub struct Identify<'m> {
-    model: DriveModel<'m>,
+    model: &'m DriveModel<'m>,
     step: usize,
     found: Identification,
 }
 
 impl<'m> Identify<'m> {
     /// The identification of a drive that should be the one of `model`.
-    pub fn new(model: &DriveModel<'m>) -> Self {
-        Self { model: *model, step: 0, found: Identification::default() }
+    pub fn new(model: &'m DriveModel<'m>) -> Self {
+        Self { model, step: 0, found: Identification::default() }
     }
 
     /// Keeps the answer to the read of `address`.

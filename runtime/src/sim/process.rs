@@ -108,10 +108,7 @@ impl Layout {
     /// The values that `data` hold go to their entries.
     pub(crate) fn unpack(&self, memory: &mut Memory<'_, '_>, data: &[u8]) {
         for field in self.fields.iter().take(self.used) {
-            let window = data.get(usize::from(field.byte)..).unwrap_or(&[]);
-            let raw = window.iter().take(9).rev().fold(0_u128, |sum, byte| sum << 8 | u128::from(*byte));
-            let raw = low64(raw >> (field.shift & 7));
-            memory.put(field.slot, extend(raw, u32::from(field.bits), field.signed));
+            memory.put(field.slot, extend(field.read(data), u32::from(field.bits), field.signed));
         }
     }
 
@@ -119,10 +116,45 @@ impl Layout {
     pub(crate) fn pack(&self, memory: &Memory<'_, '_>, data: &mut [u8]) {
         data.fill(0);
         for field in self.fields.iter().take(self.used) {
-            let value = bits(extend(bits(memory.now(field.slot)), u32::from(field.bits), false));
-            let value = u128::from(value) << (field.shift & 7);
-            let window = data.get_mut(usize::from(field.byte)..).unwrap_or(&mut []);
-            window.iter_mut().zip(value.to_le_bytes()).for_each(|(to, from)| *to |= from);
+            field.write(bits(memory.now(field.slot)), data);
+        }
+    }
+}
+
+/// So many bytes of the image.
+fn part<const N: usize>(data: &[u8], byte: u16) -> Option<[u8; N]> {
+    data.get(usize::from(byte)..)?.get(..N)?.try_into().ok()
+}
+
+impl Field {
+    /// Its bits, and others above them. Whole bytes are read at once.
+    fn read(&self, data: &[u8]) -> u64 {
+        let whole = match (self.shift, self.bits) {
+            (0, 32) => part(data, self.byte).map(|b| u64::from(u32::from_le_bytes(b))),
+            (0, 16) => part(data, self.byte).map(|b| u64::from(u16::from_le_bytes(b))),
+            (0, 8) => part(data, self.byte).map(|[b]| u64::from(b)),
+            _ => None,
+        };
+        whole.unwrap_or_else(|| {
+            let window = data.get(usize::from(self.byte)..).unwrap_or(&[]);
+            let raw = window.iter().take(9).rev().fold(0_u128, |sum, byte| sum << 8 | u128::from(*byte));
+            low64(raw >> (self.shift & 7))
+        })
+    }
+
+    /// Writes its bits of `value`; others of the image stay.
+    fn write(&self, value: u64, data: &mut [u8]) {
+        let window = data.get_mut(usize::from(self.byte)..).unwrap_or(&mut []);
+        let [a, b, c, d, ..] = value.to_le_bytes();
+        match (self.shift, self.bits, &mut *window) {
+            (0, 32, [p, q, r, s, ..]) => (*p, *q, *r, *s) = (a, b, c, d),
+            (0, 16, [p, q, ..]) => (*p, *q) = (a, b),
+            (0, 8, [p, ..]) => *p = a,
+            _ => {
+                let value = bits(extend(value, u32::from(self.bits), false));
+                let value = u128::from(value) << (self.shift & 7);
+                window.iter_mut().zip(value.to_le_bytes()).for_each(|(to, from)| *to |= from);
+            }
         }
     }
 }

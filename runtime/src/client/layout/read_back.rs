@@ -20,7 +20,7 @@ use crate::wire::Fixed;
 #[derive(Clone, Copy, Debug)]
 pub struct ReadBack<'p, 'm> {
     plan: Plan<'p>,
-    model: DriveModel<'m>,
+    model: &'m DriveModel<'m>,
     /// Where the next answer belongs: the place of a PDO in the plan, and a sub-index. No PDO: the assignment.
     pdo: Option<usize>,
     sub: u8,
@@ -63,10 +63,10 @@ pub struct LayoutError {
 
 impl<'p, 'm> ReadBack<'p, 'm> {
     /// The comparison with `plan`.
-    pub fn new(model: &DriveModel<'m>, plan: Plan<'p>) -> Self {
+    pub fn new(model: &'m DriveModel<'m>, plan: Plan<'p>) -> Self {
         let assigned = model.object(assignment(plan.direction(), 0)).is_some();
         let pdo = if assigned { None } else { Some(0) };
-        Self { plan, model: *model, pdo, sub: 0, count: 0, words: [0; MAX_ENTRIES], used: 0 }
+        Self { plan, model, pdo, sub: 0, count: 0, words: [0; MAX_ENTRIES], used: 0 }
     }
 
     /// What the drive has in the PDO that was read last: that of the error, after one.

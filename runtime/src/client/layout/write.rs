@@ -18,7 +18,7 @@ use crate::time::Instant;
 #[derive(Clone, Copy, Debug)]
 pub struct Write<'p, 'm> {
     plan: Plan<'p>,
-    model: DriveModel<'m>,
+    model: &'m DriveModel<'m>,
     step: usize,
     bytes: [u8; 4],
 }
@@ -43,9 +43,9 @@ impl<'p, 'm> Write<'p, 'm> {
     ///
     /// # Errors
     /// Those of [`Plan::check`]; nothing was sent then.
-    pub fn new(model: &DriveModel<'m>, plan: Plan<'p>) -> Result<Self, PlanError<'m>> {
+    pub fn new(model: &'m DriveModel<'m>, plan: Plan<'p>) -> Result<Self, PlanError<'m>> {
         plan.check(model)?;
-        Ok(Self { plan, model: *model, step: 0, bytes: [0; 4] })
+        Ok(Self { plan, model, step: 0, bytes: [0; 4] })
     }
 
     /// All writes, in order.

@@ -70,7 +70,7 @@ impl<'m, 'w, 's> Apply<'m, 'w, 's> {
     /// # Errors
     /// What can be told without the drive: commands, mapping, unknown entries, access, limits, lists, types, memory.
     pub fn new(
-        model: &DriveModel<'m>,
+        model: &'m DriveModel<'m>,
         wanted: &'w [Setting<'w>],
         occasions: &'w [Occasion],
         slots: &'s mut [Slot],
@@ -82,13 +82,8 @@ impl<'m, 'w, 's> Apply<'m, 'w, 's> {
                 return Err(SetError::before(setting.address, SetCause::Room { needed: wanted.len() }));
             }
         }
-        let mut apply = Self {
-            rules: Rules { model: *model, occasions },
-            wanted,
-            slots,
-            phase: Phase::Begin,
-            bytes: [0; 8],
-        };
+        let mut apply =
+            Self { rules: Rules { model, occasions }, wanted, slots, phase: Phase::Begin, bytes: [0; 8] };
         apply.fill()?;
         Ok(apply)
     }
@@ -119,7 +114,7 @@ impl<'m, 'w, 's> Apply<'m, 'w, 's> {
 
     /// The error with names, and with what was written before it.
     pub fn explain(&self, error: &SetError<'m>) -> SetReport<'_, 'm> {
-        SetReport::new(*error, &self.rules.model, self.slots)
+        SetReport::new(*error, self.rules.model, self.slots)
     }
 
     /// Slots for the settings, in their order, then for the other entries of their rules.

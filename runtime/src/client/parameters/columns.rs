@@ -77,7 +77,7 @@ pub struct ColumnsSummary {
 /// Reads every entry of a set; each row goes to a function of the caller.
 #[derive(Debug)]
 pub struct Columns<'m, 'w, F> {
-    model: DriveModel<'m>,
+    model: &'m DriveModel<'m>,
     wanted: &'w [Setting<'w>],
     sink: F,
     place: usize,
@@ -87,8 +87,8 @@ pub struct Columns<'m, 'w, F> {
 
 impl<'m, 'w, F: FnMut(Row<'m, 'w, '_>)> Columns<'m, 'w, F> {
     /// The comparison of a drive with what is wanted.
-    pub fn new(model: &DriveModel<'m>, wanted: &'w [Setting<'w>], sink: F) -> Self {
-        Self { model: *model, wanted, sink, place: 0, asked: false, summary: ColumnsSummary::default() }
+    pub fn new(model: &'m DriveModel<'m>, wanted: &'w [Setting<'w>], sink: F) -> Self {
+        Self { model, wanted, sink, place: 0, asked: false, summary: ColumnsSummary::default() }
     }
 
     fn tell(&mut self, wanted: Setting<'w>, device: Result<Content<'_>, AccessError>) {

@@ -58,7 +58,7 @@ impl Slot {
 /// The rules that hold for a set: those that hold always, and those of the occasions that the caller names.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rules<'m, 'o> {
-    pub(super) model: DriveModel<'m>,
+    pub(super) model: &'m DriveModel<'m>,
     pub(super) occasions: &'o [Occasion],
 }
 

@@ -37,7 +37,7 @@ const TARGETS: [(Address, Option<Address>); 4] = [
 /// Stores parameters.
 #[derive(Clone, Copy, Debug)]
 pub struct Store<'m> {
-    model: DriveModel<'m>,
+    model: &'m DriveModel<'m>,
     command: Address,
     neutralize: bool,
     polls: u64,
@@ -124,14 +124,14 @@ impl<'m> Store<'m> {
     ///
     /// # Errors
     /// [`StoreCause::NoStore`].
-    pub fn new(model: &DriveModel<'m>, group: u8) -> Result<Self, StoreError> {
+    pub fn new(model: &'m DriveModel<'m>, group: u8) -> Result<Self, StoreError> {
         let command = Address::new(0x1010, group);
         if group == 0 || !model.object(command).is_some_and(|object| object.access().writes()) {
             return Err(StoreError { address: command, cause: StoreCause::NoStore });
         }
         let phase = Phase::Begin;
         Ok(Self {
-            model: *model,
+            model,
             command,
             neutralize: false,
             polls: 100,
@@ -282,7 +282,7 @@ impl<'m> Store<'m> {
         let lost = AccessError { address, action, cause: Cause::NotInProfile };
         let content = Content::Int(self.harmless);
         let used = self.model.object(address).ok_or(lost).and_then(|object| {
-            content.check(&self.model, object)?;
+            content.check(self.model, object)?;
             let wire = |error| AccessError { address, action, cause: Cause::Wire(error) };
             content.encode(object.data_type(), &mut self.bytes).map_err(wire)
         });
