@@ -15,6 +15,8 @@ mod device;
 mod drive;
 mod events;
 mod faults;
+#[cfg(test)]
+mod lcg;
 mod link;
 mod memory;
 mod modes;
