@@ -42,11 +42,7 @@ impl VirtualDrive<'_, '_> {
         let options = self.options();
         let transition = self.change_state(word, options, cycle);
         self.act_on(transition, word);
-<<<<<<< HEAD
         let order = self.device.order(options);
-=======
-        let order = self.device.order(&options);
->>>>>>> services
         let incident = self.modes.step(
             &mut self.memory,
             &self.slots,

@@ -55,11 +55,7 @@ impl Operation<'_, '_> {
     /// Writes for a step. `place`: into the process data where it is mapped.
     fn write(&mut self, address: Address, value: i64, place: bool) -> Result<Option<Want>, ClientError> {
         let number = i128::from(value);
-<<<<<<< HEAD
         let refused = |cause| AccessError { address, action: Action::Write(Some(value)), cause };
-=======
-        let refused = |cause| AccessError { address, action: Action::write(Some(number)), cause };
->>>>>>> services
         let object = self.client.model.object(address).ok_or(refused(Cause::NotInProfile))?;
         Content::Int(number).check(self.client.model, object)?;
         let wire = |error| refused(Cause::Wire(error));

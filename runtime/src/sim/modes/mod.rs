@@ -378,17 +378,11 @@ impl<'m> Modes<'m> {
 
     /// Whether the set-point is reached, or with halt, the axis stands.
     fn at_target(&self) -> bool {
-<<<<<<< HEAD
         if self.brakes {
             return self.stands();
         }
         let there = self.points.current().is_none() || self.heads && self.planner.done();
         there && self.at_demand() && self.planner.point().velocity == 0
-=======
-        self.at_demand()
-            && self.planner.point().velocity == 0
-            && (self.points.current().is_none() || self.planner.done())
->>>>>>> services
     }
 
     /// The speed up to which the axis stands: 606Fh, or what the axis says.
