@@ -20,14 +20,14 @@ pub fn buildable(target: Option<&str>) -> Result<(), String> {
     }
 }
 
-/// Builds `tests/<name>` in release for this machine or a target, with everything kept out of its folder.
+/// Builds `tests/<name>` for this machine or a target, with everything kept out of its folder.
 ///
 /// # Errors
 /// Where `cargo` cannot be started.
 pub fn build(name: &str, target: Option<&str>, arguments: &[&str]) -> std::io::Result<Output> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
     let mut cargo = Command::new(env!("CARGO"));
-    cargo.args(["build", "--release", "--offline", "--manifest-path"]).arg(folder.join("Cargo.toml"));
+    cargo.args(["build", "--offline", "--manifest-path"]).arg(folder.join("Cargo.toml"));
     cargo.arg("--target-dir").arg(scratch().join(name)).args(arguments);
     match target {
         None => cargo.args(["--config", LINKED]),

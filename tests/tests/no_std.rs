@@ -20,6 +20,6 @@ fn links(target: Option<&str>) {
     if let Err(why) = buildable(target) {
         return skipped(&format!("no_std on {}", target.unwrap_or("this machine")), &why);
     }
-    let output = build("no-std", target, &[]).unwrap();
+    let output = build("no-std", target, &["--release"]).unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }

@@ -271,7 +271,7 @@ impl Explain for Fault<'_> {
         if self.is_active() == Some(false) {
             f.write_str("not in fault now; the last one: ")?;
         }
-        match (self.alarm(), Fault::code(self), self.alarms().count()) {
+        match (self.alarm(), Fault::code(self), self.alarms().fold(0_u16, |many, _| many.saturating_add(1))) {
             (Some(alarm), ..) => write!(f, "{}", Clean(alarm.name().as_bytes()))?,
             (None, None, _) => f.write_str("the drive reports no error code")?,
             (None, Some(code), 0) => write!(f, "{}, a code that the profile does not list", class(code))?,
@@ -316,7 +316,7 @@ impl fmt::Display for Numbered<'_> {
         if let [only] = self.0 {
             return write!(f, "{}", Clean(only.as_bytes()));
         }
-        for (number, text) in (1..).zip(self.0) {
+        for (number, text) in (1..=u8::MAX).zip(self.0) {
             write!(f, "{}{number} {}", if number == 1 { "" } else { "\n" }, Clean(text.as_bytes()))?;
         }
         Ok(())
@@ -328,9 +328,11 @@ struct Maybe<'f, 'm>(&'f Fault<'m>);
 
 impl fmt::Display for Maybe<'_, '_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (place, alarm) in self.0.alarms().enumerate() {
+        let mut between = "";
+        for alarm in self.0.alarms() {
             let (display, name) = (Clean(alarm.display().as_bytes()), Clean(alarm.name().as_bytes()));
-            write!(f, "{}{display} {:02X}h {name}", if place == 0 { "" } else { "\n" }, alarm.number())?;
+            write!(f, "{between}{display} {:02X}h {name}", alarm.number())?;
+            between = "\n";
         }
         Ok(())
     }

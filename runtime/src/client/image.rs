@@ -347,7 +347,7 @@ fn put(frame: &mut [u8], at: usize, bits: u8, value: &[u8]) {
 }
 
 fn bytes(layout: &[MapEntry]) -> usize {
-    layout.iter().map(|entry| usize::from(entry.bits())).sum::<usize>().div_ceil(8)
+    layout.iter().fold(0_usize, |sum, entry| sum.saturating_add(usize::from(entry.bits()))).div_ceil(8)
 }
 
 /// The first byte of an entry. Layouts of an image have whole bytes.

@@ -61,7 +61,7 @@ pub(crate) fn alarm<'m>(model: &DriveModel<'m>, incident: Incident) -> Option<&'
 }
 
 /// Whether `word`, in lower case, is in `name`, in any case.
-fn holds(name: &str, word: &str) -> bool {
+pub(super) fn holds(name: &str, word: &str) -> bool {
     word.is_empty()
         || name.as_bytes().windows(word.len()).any(|part| part.eq_ignore_ascii_case(word.as_bytes()))
 }

@@ -4,6 +4,7 @@ use crate::address::Address;
 use crate::model::{AlarmDesc, DriveModel};
 use crate::rule::{Occasion, RuleDesc};
 
+use super::events::holds;
 use super::memory::Memory;
 
 /// The rules of an occasion that are broken at this moment.
@@ -29,16 +30,20 @@ pub(crate) fn broken_by<'a, 'm>(
 
 /// The alarm that a rule names in its words: `alarm oPE`. A rule has no other place for it.
 pub(crate) fn alarm<'m>(model: &DriveModel<'m>, rule: &RuleDesc<'_>) -> Option<&'m AlarmDesc<'m>> {
-    let (_, rest) = rule.text().split_once("alarm ")?;
-    let named = |alarm: &&AlarmDesc<'_>| {
-        rest.strip_prefix(alarm.display()).is_some_and(|rest| !rest.starts_with(char::is_alphanumeric))
-    };
-    model.alarms().iter().find(named)
+    // On bytes: a search in a text has panics that the optimizer cannot rule out.
+    let text = rule.text().as_bytes();
+    let places = || (0..text.len()).filter_map(|at| text.get(at..)?.strip_prefix(b"alarm ".as_slice()));
+    model.alarms().iter().find(|alarm| places().any(|rest| begins_with(rest, alarm.display().as_bytes())))
+}
+
+/// Whether `word` is the first word of `text`.
+fn begins_with(text: &[u8], word: &[u8]) -> bool {
+    text.strip_prefix(word).is_some_and(|rest| !rest.first().is_some_and(u8::is_ascii_alphanumeric))
 }
 
 /// Whether a write that breaks the rule is refused: process data are, and what the manual says is.
 pub(crate) fn refuses(rule: &RuleDesc<'_>) -> bool {
-    rule.on() == Some(Occasion::Remap) || rule.text().contains("refused")
+    rule.on() == Some(Occasion::Remap) || holds(rule.text(), "refused")
 }
 
 #[cfg(test)]

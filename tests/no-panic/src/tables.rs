@@ -9,7 +9,7 @@ use drivewright_runtime::AbortCode;
 use savch_sdv3_e::{alarms, bits, enums, od, pdo, MODEL};
 
 /// Where a panel or a serial port would be.
-struct Lines(usize);
+pub struct Lines(pub usize);
 
 impl Write for Lines {
     fn write_str(&mut self, text: &str) -> fmt::Result {

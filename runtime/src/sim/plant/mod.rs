@@ -147,7 +147,7 @@ impl Plant {
     /// Limits the torque of the motor in each direction; both are amounts, in 0.1 % of rated. The motor has no more than
     /// its configuration says; less than nothing is nothing.
     pub fn limit_torque(&mut self, positive: i32, negative: i32) {
-        let amount = |torque: i32| acceleration(&self.config, torque.clamp(0, self.config.torque));
+        let amount = |torque: i32| acceleration(&self.config, torque.min(self.config.torque).max(0));
         self.allowed = (-amount(negative), amount(positive));
     }
 
