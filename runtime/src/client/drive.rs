@@ -107,7 +107,7 @@ macro_rules! drive {
             /// Resets a fault, if the model does not rule it out: see
             /// [`Axis::reset_fault`](crate::client::axis::Axis::reset_fault).
             pub $($async)? fn reset_fault(&mut self) -> Result<(), DriveError<T::Error>> {
-                let plan = Plan::cycle().then(Step::NeedResettable).then(Step::Goal(Request::ResetFault));
+                let plan = Plan::EMPTY.then(Step::Look).then(Step::NeedResettable).then(Step::Goal(Request::ResetFault));
                 self.run(plan)$(.$await)?
             }
 
@@ -144,7 +144,7 @@ macro_rules! drive {
                 self.run(plan)$(.$await)?
             }
 
-            /// Goes to a torque in profile torque mode, and waits until it is reached.
+            /// Goes to a torque in profile torque mode, and waits until it is reached, where the drive shows that.
             pub $($async)? fn torque(
                 &mut self,
                 torque: impl Into<Amount>,

@@ -8,6 +8,7 @@ use crate::client::axis::Request;
 use crate::client::error::ClientError;
 use crate::client::session::{Client, Plan, Step};
 use crate::client::units::{travel_time, Amount};
+use crate::homing::{HomingDesc, HomingStatus};
 use crate::quantity::{Angle, Velocity};
 use crate::value::Value;
 
@@ -118,7 +119,8 @@ impl Homing {
             return Ok(Plan::EMPTY);
         }
         let model = client.model();
-        let unknown = !model.homing_methods().is_empty() && model.homing(self.method).is_none();
+        let usable = |method: &HomingDesc<'_>| method.status() != HomingStatus::Reserved;
+        let unknown = !model.homing_methods().is_empty() && !model.homing(self.method).is_some_and(usable);
         if self.method == 0 || unknown {
             return Err(ClientError::NotAHomingMethod { method: self.method });
         }

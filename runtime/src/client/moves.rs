@@ -153,7 +153,8 @@ pub fn velocity(client: &Client<'_>, velocity: Amount, within: Duration) -> Resu
     Ok(in_mode(Mode::PROFILE_VELOCITY).then(Step::Goal(Request::Velocity(velocity, within))))
 }
 
-/// The steps to a torque in profile torque mode; the slope is 6087h, where it is said.
+/// The steps to a torque in profile torque mode. Where the statusword of the drive does not show in this mode that a target
+/// is reached, they end when it is sent. The slope is 6087h, where it is said.
 ///
 /// # Errors
 /// Those of [`Client::count`].
@@ -165,7 +166,10 @@ pub fn torque(
 ) -> Result<Plan, ClientError> {
     let torque = target(client, TARGET_TORQUE, torque)?;
     let plan = in_mode(Mode::PROFILE_TORQUE).amount(client, TORQUE_SLOPE, slope)?;
-    Ok(plan.then(Step::Goal(Request::Torque(torque, within))))
+    Ok(match client.shows_target_reached(Mode::PROFILE_TORQUE) {
+        true => plan.then(Step::Goal(Request::Torque(torque, within))),
+        false => plan.then(Step::TargetTorque(torque)).then(Step::Cycle),
+    })
 }
 
 /// The steps of a jog: a velocity in profile velocity mode as long as it is held, and no longer than `within`; then

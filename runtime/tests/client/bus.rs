@@ -1,18 +1,17 @@
 //! The drive of `fake` on a bus: a dictionary, process data by layout, and a clock that only cycles and waiting move.
 
-use core::future::Future;
 use core::time::Duration;
 use std::collections::BTreeMap;
 
-use drivewright_runtime::cia402::{Controlword, Mode, State};
+use drivewright_runtime::cia402::{Controlword, Mode};
 use drivewright_runtime::client::axis::{AxisPolicy, Outputs};
-use drivewright_runtime::client::drive::{AsyncDrive, Drive};
+use drivewright_runtime::client::drive::Drive;
 use drivewright_runtime::client::image::Image;
 use drivewright_runtime::client::session::Client;
 use drivewright_runtime::pdo::MapEntry;
 use drivewright_runtime::prelude::*;
 use drivewright_runtime::time::Instant;
-use drivewright_runtime::transport::{AsyncTransport, Refusal, Transport};
+use drivewright_runtime::transport::{Refusal, Transport};
 use drivewright_runtime::AbortCode;
 
 use crate::fake::Fake;
@@ -220,49 +219,6 @@ impl Transport for Bus {
     }
 }
 
-/// The same bus, as a task sees it: every call is pending once before it has a result.
-pub(crate) struct Pending(pub(crate) Bus);
-
-/// Once round the executor.
-pub(crate) fn yields() -> impl Future<Output = ()> {
-    let mut done = false;
-    core::future::poll_fn(move |context| {
-        if core::mem::replace(&mut done, true) {
-            return core::task::Poll::Ready(());
-        }
-        context.waker().wake_by_ref();
-        core::task::Poll::Pending
-    })
-}
-
-impl AsyncTransport for Pending {
-    type Error = &'static str;
-
-    async fn upload(&mut self, address: Address, into: &mut [u8], _: Duration) -> Outcome<usize> {
-        yields().await;
-        self.0.read(address, into)
-    }
-
-    async fn download(&mut self, address: Address, data: &[u8], _: Duration) -> Outcome<()> {
-        yields().await;
-        self.0.write(address, data)
-    }
-
-    async fn exchange(&mut self, outputs: &[u8], inputs: &mut [u8]) -> Outcome<usize> {
-        yields().await;
-        self.0.swap(outputs, inputs)
-    }
-
-    fn now(&mut self) -> Instant {
-        Instant::from_micros(self.0.now)
-    }
-
-    async fn wait(&mut self, until: Instant) {
-        yields().await;
-        self.0.idle(until);
-    }
-}
-
 /// A drive with everything in process data.
 pub(crate) fn drive(fake: Fake) -> Drive<'static, Bus> {
     drive_with(fake, Image::new(&RX, &TX).unwrap(), AxisPolicy::default())
@@ -270,10 +226,4 @@ pub(crate) fn drive(fake: Fake) -> Drive<'static, Bus> {
 
 pub(crate) fn drive_with(fake: Fake, image: Image<'static>, policy: AxisPolicy) -> Drive<'static, Bus> {
     Drive::new(Client::new(&MODEL, image, policy), Bus::new(fake, image))
-}
-
-pub(crate) fn async_drive(state: State) -> AsyncDrive<'static, Pending> {
-    let image = Image::new(&RX, &TX).unwrap();
-    let client = Client::new(&MODEL, image, AxisPolicy::default());
-    AsyncDrive::new(client, Pending(Bus::new(Fake::new(state), image)))
 }

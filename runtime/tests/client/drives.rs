@@ -5,11 +5,11 @@ use core::time::Duration;
 use drivewright_runtime::cia402::{Mode, State};
 use drivewright_runtime::client::axis::AxisPolicy;
 use drivewright_runtime::client::home::Homing;
-use drivewright_runtime::client::image::Image;
+use drivewright_runtime::client::image::{Image, ImageError, Output};
 use drivewright_runtime::client::moves::MoveTo;
 use drivewright_runtime::prelude::*;
 
-use crate::bus::{drive, drive_with, RX, TX};
+use crate::bus::{drive, drive_with, ALARM_TEXTS, MODEL, RX, TX};
 use crate::fake::Fake;
 
 const SECOND: Duration = Duration::from_secs(1);
@@ -104,4 +104,36 @@ fn a_jog_that_is_given_up_stops_with_the_next_cycle() {
     assert_eq!(drive.bus().fake.heard.last().unwrap().velocity, 300);
     drive.cycle().unwrap();
     assert_eq!(drive.bus().fake.heard.last().unwrap().velocity, 0);
+}
+
+#[test]
+fn a_fault_is_told_with_its_alarm_and_is_none_when_it_is_reset() {
+    let mut drive = drive(Fake::new(State::SwitchOnDisabled));
+    assert!(drive.fault(ALARM_TEXTS).unwrap().is_none());
+    drive.bus().fake.fault(0x8611);
+    let fault = drive.fault(ALARM_TEXTS).unwrap().unwrap();
+    assert_eq!(fault.alarm().unwrap().display(), "Er.1");
+    assert!(fault.to_string().contains("The axis is blocked."), "{fault}");
+    drive.reset_fault().unwrap();
+    assert!(drive.fault(ALARM_TEXTS).unwrap().is_none());
+}
+
+#[test]
+fn objects_of_a_second_axis_lie_800h_higher() {
+    const SECOND_RX: [MapEntry; 2] = [MapEntry::from_word(0x6840_0010), MapEntry::from_word(0x687A_0020)];
+    let image = Image::for_axis(&SECOND_RX, &[], 1).unwrap();
+    let output = |signal| image.output(signal);
+    assert_eq!((output(Output::Controlword), output(Output::Position)), (Some(0), Some(2)));
+    assert_eq!(image.at(Address::new(0x6099, 2)), Address::new(0x6899, 2));
+    assert_eq!(Image::new(&SECOND_RX, &[]).unwrap().output(Output::Controlword), None);
+}
+
+#[test]
+fn a_signal_of_another_length_is_no_image() {
+    let wide = [MapEntry::from_word(0x6041_0010), MapEntry::from_word(0x6077_0020)];
+    let error = Image::new(&[], &wide).unwrap_err();
+    assert_eq!(error.to_string(), "6077:00 32 bit is mapped, the signal has 16 bit");
+    let bits = [MapEntry::from_word(0x6041_0010), MapEntry::from_word(0x60FD_0003)];
+    assert!(matches!(Image::new(&[], &bits), Err(ImageError::NotBytes { .. })));
+    assert_eq!(Image::of(&MODEL, 0x1600, 0x1A00), Err(ImageError::NoPdo { index: 0x1600 }));
 }

@@ -9,4 +9,5 @@ mod bugs;
 mod bus;
 mod drives;
 mod fake;
+mod nonsense;
 mod states;

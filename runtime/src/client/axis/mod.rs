@@ -324,7 +324,8 @@ impl Axis {
         let error = self.error(why);
         self.let_go();
         self.trip = Some(error);
-        if self.progress == Progress::Pending {
+        // A fault is what a reset is for.
+        if self.progress == Progress::Pending && !matches!(self.goal, Goal::Reset(_)) {
             self.progress = Progress::Failed(error);
         }
     }

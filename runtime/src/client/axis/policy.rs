@@ -110,8 +110,8 @@ pub struct AxisPolicy {
     pub safe_command: Command,
     /// Whether bit 12 may be high in profile position mode before the first set-point. Default: `false`.
     pub acknowledge_may_be_high: bool,
-    /// Whether bit 6 means absolute, against the standard. Default: `false`.
-    pub relative_bit_is_inverted: bool,
+    /// Whether bit 6 means absolute, against the standard. Default: what the model says, where there is one.
+    pub relative_bit_is_inverted: Option<bool>,
     /// The longest time until a set-point is acknowledged. Default: 1 s.
     pub acknowledge_within: Duration,
     /// The longest time until homing is seen to start. Default: 1 s.
@@ -140,7 +140,7 @@ impl Default for AxisPolicy {
             quick_stop: None,
             safe_command: Command::Shutdown,
             acknowledge_may_be_high: false,
-            relative_bit_is_inverted: false,
+            relative_bit_is_inverted: None,
             acknowledge_within: Duration::from_secs(1),
             homing_start_within: Duration::from_secs(1),
             homing_idle: Duration::from_millis(500),

@@ -14,11 +14,9 @@ pub(super) enum ResetPhase {
 }
 
 impl Axis {
-    /// Resets a fault, once. Done when the drive is out of it; done at once where there is none. The axis is not enabled
-    /// afterwards: that is another goal.
+    /// Resets a fault, once. Done when the drive is out of it; done at once where there is none, and then nothing changes.
+    /// The axis is not enabled afterwards: that is another goal.
     pub fn reset_fault(&mut self) {
-        self.enabled = false;
-        self.drop_commands();
         let edge = self.policy.edge_hold.saturating_mul(2);
         // A fault that is still being handled is waited for.
         let within = self.policy.state_within.saturating_add(edge).saturating_add(self.policy.reset_within);
@@ -29,10 +27,12 @@ impl Axis {
         let state = self.view.state();
         match phase {
             ResetPhase::Low => {
-                self.set_level(Command::DisableVoltage);
-                if state.is_some_and(|state| !state.is_fault()) {
+                let Some(seen) = state else { return Ok(false) };
+                if !seen.is_fault() {
                     return Ok(true);
                 }
+                self.leave_operation(Command::DisableVoltage);
+                self.set_level(Command::DisableVoltage);
                 if state == Some(State::Fault) && self.edge_is_held() {
                     self.set_level(Command::FaultReset);
                     self.enter(Goal::Reset(ResetPhase::High));

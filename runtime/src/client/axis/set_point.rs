@@ -71,7 +71,8 @@ impl Axis {
         }
         self.commanded.position = Some(set_point.target);
         self.set_bit(ModeBits::CHANGE_IMMEDIATELY, set_point.immediately);
-        self.set_bit(ModeBits::RELATIVE, set_point.relative != self.policy.relative_bit_is_inverted);
+        let inverted = self.policy.relative_bit_is_inverted.unwrap_or(false);
+        self.set_bit(ModeBits::RELATIVE, set_point.relative != inverted);
     }
 
     /// Whether the drive has taken the last set-point and another one may follow.

@@ -1,5 +1,7 @@
 //! The ways down: to a state without power, by a quick stop, by disabling. And back from a quick stop, on request.
 
+use core::time::Duration;
+
 use super::{Axis, AxisErrorKind, Goal, Verdict};
 use crate::cia402::{Command, State};
 
@@ -12,8 +14,13 @@ impl Axis {
         match state {
             State::OperationEnabled => self.enable(self.out.mode),
             State::QuickStopActive => self.quick_stop(),
-            _ => {
-                self.leave_operation();
+            State::NotReadyToSwitchOn | State::FaultReactionActive | State::Fault => {
+                self.begin(Goal::Reach(state), Duration::ZERO);
+                self.refuse(AxisErrorKind::NotAGoal);
+            }
+            State::SwitchOnDisabled | State::ReadyToSwitchOn | State::SwitchedOn => {
+                let first = toward(State::OperationEnabled, state, None).unwrap_or(Command::DisableVoltage);
+                self.leave_operation(first);
                 self.begin(Goal::Reach(state), self.policy.state_within);
             }
         }
@@ -22,7 +29,7 @@ impl Axis {
     /// Takes the torque off the motor, as 605Ch says, and stays switched on. Done in every state without power, in fault
     /// as well.
     pub fn disable(&mut self) {
-        self.leave_operation();
+        self.leave_operation(Command::SwitchOn);
         self.begin(Goal::Disable, self.policy.state_within);
     }
 
@@ -34,7 +41,7 @@ impl Axis {
     /// Stops the axis as 605Ah says. It is a request: where nothing can move there is nothing to stop, and it is done. It
     /// is done as well if the drive has gone on to switch on disabled by itself.
     pub fn quick_stop(&mut self) {
-        self.leave_operation();
+        self.leave_operation(Command::QuickStop);
         self.set_level(Command::QuickStop);
         self.begin(Goal::QuickStop, self.policy.state_within);
     }
@@ -46,16 +53,16 @@ impl Axis {
         self.begin(Goal::Resume, self.policy.state_within);
     }
 
-    /// What was commanded in operation ends with it.
-    fn leave_operation(&mut self) {
+    /// What was commanded in operation ends with it, and the command that holds it at once, heard or not.
+    pub(super) fn leave_operation(&mut self, command: Command) {
         self.enabled = false;
+        if self.level == Command::EnableOperation {
+            self.set_level(command);
+        }
         self.drop_commands();
     }
 
     pub(super) fn advance_reach(&mut self, goal: State) -> Verdict {
-        if !matches!(goal, State::SwitchOnDisabled | State::ReadyToSwitchOn | State::SwitchedOn) {
-            return Err(AxisErrorKind::NotAGoal);
-        }
         self.not_faulted()?;
         self.walk_to(goal);
         Ok(self.view.state() == Some(goal) && self.level_has_arrived())

@@ -2,7 +2,7 @@
 
 use super::operation::{received, written, wrong_length, Operation, Stage, Want};
 use super::Step;
-use crate::client::axis::Progress;
+use crate::client::axis::{AxisError, AxisErrorKind, Progress};
 use crate::client::error::ClientError;
 use crate::client::image::{Input, Output};
 use crate::procedure::Answer;
@@ -96,18 +96,28 @@ impl Operation<'_, '_> {
         self.ended = match self.client.axis.progress() {
             Progress::Pending => None,
             Progress::Done => Some(Ok(())),
-            Progress::Failed(error) => Some(Err(ClientError::Axis(error))),
+            Progress::Failed(error) => Some(Err(self.told(error))),
         };
         None
     }
 
+    /// The error of the axis, or what is behind it.
+    fn told(&self, error: AxisError) -> ClientError {
+        let silent = matches!(error.kind, AxisErrorKind::Stale { .. } | AxisErrorKind::NoStatusword);
+        match self.odd {
+            Some(odd) if silent => ClientError::Image(odd),
+            _ => ClientError::Axis(error),
+        }
+    }
+
     /// The end of a cycle or of a held step: the axis left operation, let go, or too long.
     fn hold_ends(&mut self, now: Instant, since: Instant) -> Option<Result<(), ClientError>> {
-        let error = self.client.axis.trip().filter(|_| !self.tripped);
-        if let Some(error) = error {
-            return Some(Err(ClientError::Axis(error)));
+        let step = self.plan.step(self.at.saturating_sub(1));
+        let trip = self.client.axis.trip().filter(|_| !self.tripped && step != Some(Step::Look));
+        if let Some(error) = trip {
+            return Some(Err(self.told(error)));
         }
-        let Some(Step::Hold(within)) = self.plan.step(self.at.saturating_sub(1)) else { return Some(Ok(())) };
+        let Some(Step::Hold(within)) = step else { return Some(Ok(())) };
         let held = self.held.as_mut().is_some_and(|held| held());
         (!held || now.since(since) >= within).then_some(Ok(()))
     }

@@ -39,12 +39,14 @@ pub struct Client<'m> {
 }
 
 impl<'m> Client<'m> {
-    /// The client of a drive of this model, over these process data. Modes that the policy leaves open are those of the
-    /// model.
+    /// The client of a drive of this model, over these process data. What the policy leaves open is as the
+    /// model says: the modes, and the meaning of bit 6.
     pub fn new(model: &'m DriveModel<'m>, image: Image<'m>, mut policy: AxisPolicy) -> Self {
         if policy.modes == Modes::ANY {
             policy.modes = modes_of(model);
         }
+        let inverted = policy.relative_bit_is_inverted.or_else(|| bit_6_is_absolute(model));
+        policy.relative_bit_is_inverted = inverted;
         Self {
             model,
             image,
@@ -108,6 +110,15 @@ impl<'m> Client<'m> {
         self.primed = false;
     }
 
+    /// Whether bit 10 of the statusword, target reached, says anything in a mode. Where the model does not tell modes apart
+    /// it is as in the standard.
+    pub(super) fn shows_target_reached(&self, mode: Mode) -> bool {
+        let object = self.model.object(Input::Statusword.address());
+        let bits = object.and_then(|object| self.model.bits_of(object)).map_or(&[][..], |table| table.bits());
+        let by_mode = bits.iter().any(|bit| bit.mode().is_some());
+        !by_mode || bits.iter().any(|bit| bit.bit() == 10 && bit.mode().map_or(true, |of| of == mode.0))
+    }
+
     /// Whether an input is worth a read by SDO.
     fn has(&self, input: Input) -> bool {
         input == Input::Statusword || self.model.object(self.image.at(input.address())).is_some()
@@ -143,4 +154,12 @@ fn modes_of(model: &DriveModel<'_>) -> Modes {
         return Modes::ANY;
     }
     model.modes().iter().fold(Modes::NONE, |modes, mode| modes.with(Mode(mode.number())))
+}
+
+/// Whether bit 6 of the controlword means absolute in profile position mode, against the standard; `None` where the model
+/// does not describe it.
+fn bit_6_is_absolute(model: &DriveModel<'_>) -> Option<bool> {
+    let bits = model.bits_of(model.object(Output::Controlword.address())?)?.bits();
+    let bit = bits.iter().find(|bit| bit.bit() == 6 && bit.mode() == Some(Mode::PROFILE_POSITION.0))?;
+    Some(bit.name().get(..3).is_some_and(|start| start.eq_ignore_ascii_case("abs")))
 }

@@ -5,7 +5,7 @@ use super::{Client, Plan};
 use crate::address::Address;
 use crate::cia402::Mode;
 use crate::client::error::ClientError;
-use crate::client::image::{Input, Output, Reading, FRAME_BYTES};
+use crate::client::image::{ImageError, Input, Output, Reading, FRAME_BYTES};
 use crate::client::object::{AccessError, Action, Cause};
 use crate::procedure::{Answer, Ask, Procedure};
 use crate::time::Instant;
@@ -54,6 +54,8 @@ pub struct Operation<'c, 'm> {
     /// The axis had left operation before: that is no news.
     pub(super) tripped: bool,
     pub(super) reading: Reading,
+    /// Process data came that make no sense.
+    pub(super) odd: Option<ImageError>,
     /// The goal has come to an end; the last outputs are on their way.
     pub(super) ended: Option<Result<(), ClientError>>,
     /// The step is a cycle, or is held since this moment.
@@ -73,6 +75,7 @@ impl<'c, 'm> Operation<'c, 'm> {
             stage: Stage::Begin,
             mode: None,
             reading: Reading::default(),
+            odd: None,
             ended: None,
             since: None,
             held: None,
@@ -117,10 +120,13 @@ impl<'c, 'm> Operation<'c, 'm> {
                 self.stage = Stage::Send(n.saturating_add(1));
             }
             Stage::Exchange => {
-                self.reading = match answer {
-                    Answer::Inputs(bytes) => self.client.image.unpack(bytes)?,
-                    _ => Reading::default(),
+                let unpacked = match answer {
+                    Answer::Inputs(bytes) => self.client.image.unpack(bytes),
+                    _ => Ok(Reading::default()),
                 };
+                // What makes no sense is no sample. If it stays like that, this is why the axis is not heard.
+                self.odd = unpacked.err().or(self.odd);
+                self.reading = unpacked.unwrap_or_default();
                 self.stage = Stage::Receive(0);
             }
             Stage::Receive(n) => {

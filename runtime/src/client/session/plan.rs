@@ -23,8 +23,12 @@ pub enum Step {
     Goal(Request),
     /// Set the target velocity, raw.
     TargetVelocity(i32),
+    /// Set the target torque, raw.
+    TargetTorque(i16),
     /// Select the mode again that was shown before the operation.
     RestoreMode,
+    /// One cycle; an axis that has left operation is no error, for it is what the plan is for.
+    Look,
     /// One cycle.
     Cycle,
     /// Cycles as long as the caller says, and no longer than this.

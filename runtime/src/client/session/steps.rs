@@ -23,10 +23,11 @@ impl Operation<'_, '_> {
             Step::NeedResettable => return Ok(self.begin_read(Fact::Resettable)),
             Step::Goal(request) => self.begin_goal(request)?,
             Step::TargetVelocity(velocity) => self.client.axis.target_velocity(velocity)?,
+            Step::TargetTorque(torque) => self.client.axis.target_torque(torque)?,
             Step::RestoreMode => {
                 self.mode.map_or(Ok(()), |mode| self.begin_goal(Request::SelectMode(mode)))?
             }
-            Step::Cycle | Step::Hold(_) => {
+            Step::Look | Step::Cycle | Step::Hold(_) => {
                 self.since = Some(now);
                 self.stage = Stage::Send(0);
             }

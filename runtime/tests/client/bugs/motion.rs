@@ -96,7 +96,7 @@ fn a_relative_move_and_one_at_once_have_their_bits() {
     assert_eq!(bits(SetPoint::to(1), standard), 0);
     assert_eq!(bits(SetPoint::by(1), standard), ModeBits::RELATIVE);
     assert_eq!(bits(SetPoint::to(1).immediately(), standard), ModeBits::CHANGE_IMMEDIATELY);
-    let inverted = policy(|policy| policy.relative_bit_is_inverted = true);
+    let inverted = policy(|policy| policy.relative_bit_is_inverted = Some(true));
     assert_eq!(bits(SetPoint::to(1), inverted), ModeBits::RELATIVE);
     assert_eq!(bits(SetPoint::by(1), inverted), 0);
 }

@@ -155,6 +155,26 @@ fn b07_fault_reset_is_verified_and_enables_nothing() {
 }
 
 #[test]
+fn b07_a_reset_without_a_fault_leaves_an_axis_in_operation_alone() {
+    let (mut axis, mut fake) = enabled(Mode::CYCLIC_VELOCITY, AxisPolicy::default(), off());
+    axis.target_velocity(5).unwrap();
+    axis.reset_fault();
+    assert_eq!(run(&mut axis, &mut fake), Progress::Done);
+    cycles(&mut axis, &mut fake, 5);
+    assert_eq!((fake.state, fake.heard.last().unwrap().velocity), (State::OperationEnabled, 5));
+}
+
+#[test]
+fn b07_a_fault_that_nobody_has_seen_yet_can_be_reset() {
+    let mut drive = drive(off());
+    drive.enable(Mode::CYCLIC_VELOCITY).unwrap();
+    drive.bus().fake.fault(0x8611);
+    drive.reset_fault().unwrap();
+    assert_eq!(drive.bus().fake.state, State::SwitchOnDisabled);
+    assert!(!drive.client().axis().is_enabled());
+}
+
+#[test]
 fn b07_an_alarm_that_cannot_be_reset_is_told_at_once() {
     // 2310h is shared with an alarm that can be reset.
     for (code, refused) in [(0x7300, true), (0x8611, false), (0x2310, false), (0x1234, false)] {
