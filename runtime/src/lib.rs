@@ -22,6 +22,8 @@ pub mod optional;
 pub mod pdo;
 pub mod procedure;
 pub mod quantity;
+#[doc(hidden)]
+pub mod row;
 pub mod rule;
 pub mod scale;
 pub mod sim;

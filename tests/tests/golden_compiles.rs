@@ -159,6 +159,17 @@ fn a_warning_would_be_seen() {
 }
 
 #[test]
+fn a_table_unlike_that_of_its_profile_would_be_seen() {
+    let other =
+        |text: &str| text.replacen("\"Switch on disabled\", 0x004F", "\"Switch on disabled\", 0x006F", 1);
+    let cases = [only("states-commands"), only("homing-basic")].concat();
+    let output = check(&krate("golden-rust-other", &cases, other));
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert!(!output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
+    assert!(said.contains("live::tables") && said.contains("3 passed; 1 failed"), "{said}");
+}
+
+#[test]
 fn text_that_runs_or_links_would_be_seen() {
     let runs = |text: &str| text.replacen("/// panic!", "///     panic!", 1);
     let (said, passed) = examples(&krate("golden-rust-runs", &only("doc-comments"), runs));

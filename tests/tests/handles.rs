@@ -56,10 +56,13 @@ fn expected(entry: &Entry, model: &Model) -> String {
         word(&entry.unit.as_ref().map_or_else(|| "Raw".to_owned(), |u| format!("{:?}", u.value.quantity)));
     let (index, sub) = (number(entry.address.index.into()), number(entry.address.sub.into()));
     let (limits, allow, scale) = (limits(entry), allow(entry), scale(entry));
-    said(
-        quote!(Object<#value, #access, #mapping, #quantity>),
-        quote!(Object::new(#index, #sub) #limits #allow #scale),
-    )
+    let call = match (limits, scale) {
+        (Limits::Both(range), Some(scale)) => quote!(ranged_scaled(#index, #sub, #range, #scale)),
+        (Limits::Both(range), None) => quote!(ranged(#index, #sub, #range)),
+        (Limits::Builder(limit), Some(scale)) => quote!(scaled(#index, #sub, #scale) #limit),
+        (Limits::Builder(limit), None) => quote!(object(#index, #sub) #limit),
+    };
+    said(quote!(Object<#value, #access, #mapping, #quantity>), quote!(#call #allow))
 }
 
 fn word(text: &str) -> Ident {
@@ -123,15 +126,22 @@ fn mapping(entry: &Entry) -> Ident {
     })
 }
 
+enum Limits {
+    /// Arguments of the call.
+    Both(TokenStream),
+    /// What stands behind the call, if anything.
+    Builder(TokenStream),
+}
+
 /// A handle holds what lies between the ends of 64 signed bits.
-fn limits(entry: &Entry) -> TokenStream {
+fn limits(entry: &Entry) -> Limits {
     let inside = |n: &i128| *n > i128::from(i64::MIN) && *n < i128::from(i64::MAX);
     let of = |n: Option<i128>| n.filter(inside).map(number);
     match (of(entry.min.as_ref().map(|f| f.value)), of(entry.max.as_ref().map(|f| f.value))) {
-        (Some(min), Some(max)) => quote!(.range(#min, #max)),
-        (Some(min), None) => quote!(.at_least(#min)),
-        (None, Some(max)) => quote!(.at_most(#max)),
-        (None, None) => quote!(),
+        (Some(min), Some(max)) => Limits::Both(quote!(#min, #max)),
+        (Some(min), None) => Limits::Builder(quote!(.at_least(#min))),
+        (None, Some(max)) => Limits::Builder(quote!(.at_most(#max))),
+        (None, None) => Limits::Builder(quote!()),
     }
 }
 
@@ -144,10 +154,10 @@ fn allow(entry: &Entry) -> TokenStream {
     quote!(.allow(&[#(#list),*]))
 }
 
-fn scale(entry: &Entry) -> TokenStream {
-    let Some(unit) = entry.unit.as_ref().filter(|u| u.value.num != u.value.den) else { return quote!() };
+fn scale(entry: &Entry) -> Option<TokenStream> {
+    let unit = entry.unit.as_ref().filter(|u| u.value.num != u.value.den)?;
     let (num, den) = (number(unit.value.num.into()), number(unit.value.den.into()));
-    quote!(.scale(#num, #den))
+    Some(quote!(#num, #den))
 }
 
 fn compare(name: &str, model: &Model) -> usize {
@@ -181,9 +191,9 @@ fn handles_say_what_the_model_says() {
 #[test]
 fn a_changed_handle_is_seen() {
     let handle = |text: &str| plain(syn::parse_str(text).expect("tokens")).to_string();
-    let right = handle("Object::new(0x6081, 0x00).range(0, 60_000).scale(1, 10)");
-    assert_eq!(right, handle("Object::new(24705, 0).range(0, 60000).scale(1, 10)"));
-    for wrong in ["Object::new(0x6081, 0x00).range(0, 60_000).scale(10, 1)", "Object::new(0x6081, 0x01)"] {
+    let right = handle("ranged_scaled(0x6081, 0x00, 0, 60_000, 1, 10)");
+    assert_eq!(right, handle("ranged_scaled(24705, 0, 0, 60000, 1, 10)"));
+    for wrong in ["ranged_scaled(0x6081, 0x00, 0, 60_000, 10, 1)", "object(0x6081, 0x01)"] {
         assert_ne!(right, handle(wrong));
     }
 }

@@ -7,7 +7,8 @@ use std::path::Path;
 
 use drivewright_codegen::model::{Effect, Model};
 use drivewright_codegen::{compile_folder, live};
-use drivewright_runtime::rule::Occasion;
+use drivewright_runtime::model::{AbortDesc, ModeDesc, StateDesc};
+use drivewright_runtime::rule::{Occasion, RuleDesc};
 use drivewright_runtime::{AbortCode, Address, DriveModel};
 use drivewright_tests::drives;
 use savch_sdv3_e as generated;
@@ -23,11 +24,14 @@ fn is_generated(profile: &Model) -> bool {
     let live = live::tables(profile, &arena);
     // The static has a longer life; this makes the two one type.
     let generated: &DriveModel<'_> = &generated::MODEL;
-    live.model() == *generated && live.alarm_texts() == generated::alarms::ALARM_TEXTS
+    live.model() == generated && live.alarm_texts() == generated::alarms::ALARM_TEXTS
 }
 
+/// A table and a change of it.
+type Change = (&'static str, fn(&mut Model));
+
 /// One change for each table.
-const CHANGES: &[(&str, fn(&mut Model))] = &[
+const CHANGES: &[Change] = &[
     ("identity", |m| m.drive.name.push('!')),
     ("objects", |m| m.entries.as_mut_slice()[0].name.value.push('!')),
     ("units", |m| {
@@ -85,9 +89,9 @@ fn what_the_manual_says_is_in_the_model() {
     let model = &generated::MODEL;
     assert_eq!(model.effect_of(Address::new(0x3000, 1)), Some(Effect::PowerCycle));
     assert_eq!(model.effect_of(Address::new(0x6081, 0)), None);
-    assert_eq!(model.mode(8).map(|m| m.name()), Some("Cycle synchronized position mode"));
-    assert_eq!(model.abort(AbortCode(0x0609_0011)).map(|a| a.name()), Some("No such sub-index"));
-    let shown: Vec<&str> = model.states().iter().filter(|s| s.matches(0x0637)).map(|s| s.name()).collect();
+    assert_eq!(model.mode(8).map(ModeDesc::name), Some("Cycle synchronized position mode"));
+    assert_eq!(model.abort(AbortCode(0x0609_0011)).map(AbortDesc::name), Some("No such sub-index"));
+    let shown: Vec<&str> = model.states().iter().filter(|s| s.matches(0x0637)).map(StateDesc::name).collect();
     assert_eq!(shown, ["Operation enabled"]);
     let input = model.terminals().iter().find(|t| t.name() == "EI3").expect("EI3");
     assert_eq!(input.function(), Some(Address::new(0x3002, 3)), "P3.03");
@@ -99,7 +103,7 @@ fn rules_are_evaluated_as_the_manual_has_them() {
         let value = |at: Address| {
             values.iter().find(|(index, sub, _)| at == Address::new(*index, *sub)).map(|(.., value)| *value)
         };
-        generated::MODEL.rules_on(on).filter(|rule| rule.broken(value)).map(|rule| rule.id()).collect()
+        generated::MODEL.rules_on(on).filter(|rule| rule.broken(value)).map(RuleDesc::id).collect()
     };
     // 4.4 L552: a method is set and the drive is enabled before homing starts.
     assert_eq!(broken(Some(Occasion::StartHoming), &[(0x6098, 0, 0), (0x6041, 0, 0x0650)]), ["R17", "R19"]);

@@ -9,7 +9,7 @@ use drivewright_runtime::rule::RuleDesc;
 use super::Arena;
 use crate::model::{Command, Entry, Mode, Model, Rule, State, Terminal};
 
-pub(super) fn tables<'a>(profile: &'a Model, arena: &'a Arena, model: DriveModel<'a>) -> DriveModel<'a> {
+pub(super) fn tables<'a>(profile: &'a Model, arena: &'a Arena, model: &DriveModel<'a>) -> DriveModel<'a> {
     let aborts = profile.aborts.iter().map(|a| AbortDesc::new(AbortCode(a.code.value), &a.name.value));
     let emcy = profile.emcy.iter().map(|e| EmcyDesc::new(e.byte, e.bytes.value, e.holds.value));
     model

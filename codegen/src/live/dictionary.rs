@@ -11,7 +11,7 @@ use drivewright_runtime::wire_enum::{EnumDesc, EnumValue};
 use super::Arena;
 use crate::model::{self, BitField, BitsDef, Entry, EnumDef, Id, Model, Pdo, Unit, Value};
 
-pub(super) fn tables<'a>(profile: &'a Model, arena: &'a Arena, model: DriveModel<'a>) -> DriveModel<'a> {
+pub(super) fn tables<'a>(profile: &'a Model, arena: &'a Arena, model: &DriveModel<'a>) -> DriveModel<'a> {
     let (units, entries) = (profile.units(), profile.entries.as_slice());
     model
         .with_units(arena.slice(units.iter().map(|u| unit(u))))

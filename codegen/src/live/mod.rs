@@ -40,23 +40,23 @@ impl Arena {
 #[derive(Clone, Copy, Debug)]
 pub struct Live<'a> {
     profile: &'a Model,
-    model: DriveModel<'a>,
+    model: &'a DriveModel<'a>,
     alarm_texts: &'a [AlarmText<'a>],
 }
 
 /// The tables of a profile without errors.
 pub fn tables<'a>(profile: &'a Model, arena: &'a Arena) -> Live<'a> {
     let model = DriveModel::new(identity(profile));
-    let model = dictionary::tables(profile, arena, model);
-    let model = behaviour::tables(profile, arena, model)
+    let model = dictionary::tables(profile, arena, &model);
+    let model = behaviour::tables(profile, arena, &model)
         .with_alarms(alarms::table(profile, arena))
         .with_homing(homing::table(profile, arena));
-    Live { profile, model, alarm_texts: alarms::texts(profile, arena) }
+    Live { profile, model: arena.0.alloc(model), alarm_texts: alarms::texts(profile, arena) }
 }
 
 impl<'a> Live<'a> {
     /// The drive as data.
-    pub fn model(&self) -> DriveModel<'a> {
+    pub fn model(&self) -> &'a DriveModel<'a> {
         self.model
     }
 

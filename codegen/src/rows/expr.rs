@@ -2,6 +2,8 @@
 //!
 //! Operators wait on a stack until one that binds less comes, so that no text can nest too deep.
 
+use drivewright_runtime::rule::DEPTH;
+
 use super::address::{At, Sub};
 use super::kind::{Expected, FromRaw, Kind};
 use super::value::checked_text;
@@ -9,7 +11,6 @@ use crate::diag::code;
 use crate::limits;
 use crate::model::{Address, Expr, OPERATORS, Op, Term};
 use crate::raw::RawValue;
-use drivewright_runtime::rule::DEPTH;
 
 /// What waits for what stands right of it.
 enum Waiting {
@@ -116,6 +117,14 @@ fn operand(word: &str) -> Result<Term, Expected> {
     })
 }
 
+fn too_deep() -> Expected {
+    Expected {
+        why: "a drive's processor evaluates it on a small stack".into(),
+        help: "nest fewer parentheses, or write several rules".into(),
+        ..wrong(format!("more than {DEPTH} values wait for their operators"))
+    }
+}
+
 impl FromRaw for Expr {
     const KIND: Kind = Kind::Text(None);
 
@@ -124,9 +133,9 @@ impl FromRaw for Expr {
         let parser = Parser { rest: text.trim(), terms: Vec::new(), waiting: Vec::new() };
         let expr = Self { text: text.to_owned(), terms: parser.run()? };
         // What the parser makes is balanced, so that only its depth can stand against it.
-        expr.evaluated().depth().map(|_| ()).ok_or_else(|| {
-            wrong(format!("more than {DEPTH} values wait for their operators: the expression nests too deep"))
-        })?;
+        if expr.evaluated().depth().is_none() {
+            return Err(too_deep());
+        }
         Ok(expr)
     }
 }

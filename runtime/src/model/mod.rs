@@ -27,6 +27,8 @@ pub use behaviour::{
 pub use detection::{EsmAfter, EsmState, Led, SyncMode};
 pub use identity::Identity;
 pub use integrity::ModelError;
+#[doc(hidden)]
+pub use object::NO_UNIT;
 pub use object::{find_object, Allowed, DefaultValue, Meaning, ObjectDesc, TextDefault, UnitDesc};
 pub use pdo::{PdoDesc, Remap};
 

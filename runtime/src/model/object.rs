@@ -34,7 +34,8 @@ const MAPPING: u8 = 0b111;
 const HAS_DEFAULT: u8 = 1 << 5;
 const HAS_ENUM: u8 = 1 << 6;
 const HAS_BITS: u8 = 1 << 7;
-const NO_UNIT: u8 = u8::MAX;
+/// In the place of a unit, where none is stated.
+pub const NO_UNIT: u8 = u8::MAX;
 
 /// What the numbers of an entry mean, by number of the model's table.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -70,18 +71,29 @@ impl<'m> ObjectDesc<'m> {
         mapping: Mapping,
         name: &'m str,
     ) -> Self {
-        Self {
-            min: NO_MIN,
-            max: NO_MAX,
-            default: 0,
-            name,
-            index: address.index(),
-            meaning: 0,
-            sub: address.sub(),
-            data_type,
-            unit: NO_UNIT,
-            flags: access as u8 | (mapping as u8) << MAPPING_SHIFT,
-        }
+        let at = (address.index(), address.sub());
+        Self::row(at, data_type, access, mapping, name, NO_UNIT, (NO_MIN, NO_MAX), None)
+    }
+
+    /// Everything that generated rows state: see [`row`](crate::row).
+    #[allow(clippy::too_many_arguments)]
+    pub(crate) const fn row(
+        at: (u16, u8),
+        data_type: DataType,
+        access: Access,
+        mapping: Mapping,
+        name: &'m str,
+        unit: u8,
+        range: (i64, i64),
+        default: Option<i64>,
+    ) -> Self {
+        let flags = access as u8 | (mapping as u8) << MAPPING_SHIFT;
+        let (default, flags) = match default {
+            Some(default) => (default, flags | HAS_DEFAULT),
+            None => (0, flags),
+        };
+        let (index, sub) = at;
+        Self { min: range.0, max: range.1, default, name, index, meaning: 0, sub, data_type, unit, flags }
     }
 
     /// With the lowest and highest raw value; `i64::MIN` and `i64::MAX` where none is stated.

@@ -34,13 +34,14 @@ pub use error::{ConvertError, EncodeError, RangeError};
 /// assert!(PROFILE_VELOCITY.check(60_001).is_err());
 /// ```
 pub struct Object<T, A, M, Q> {
-    address: Address,
-    num: u32,
-    den: u32,
-    min: i64,
-    max: i64,
-    allowed: &'static [i64],
-    types: Types<T, A, M, Q>,
+    // Visible to `row`, which makes handles by one literal.
+    pub(crate) address: Address,
+    pub(crate) num: u32,
+    pub(crate) den: u32,
+    pub(crate) min: i64,
+    pub(crate) max: i64,
+    pub(crate) allowed: &'static [i64],
+    pub(crate) types: Types<T, A, M, Q>,
 }
 
 /// A function pointer: `Send + Sync + Copy` whatever the markers are.

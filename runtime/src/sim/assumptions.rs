@@ -67,5 +67,11 @@ assumptions! {
     "limits while homing", "software limits do not hold", "positions mean nothing before home is known";
     "time-out of homing", "60 s", "longer than any way of the virtual axis; Config::homing_time";
     "jump of a target in cyclic synchronous position", "4 times the way at the highest speed in a cycle", "Config::target_jump";
+    "parameters of the maker", "no effect but by rules: they change neither units nor what inputs do",
+        "manuals of the bus name them and do not describe them";
+    "halt", "brakes in every mode while bit 8 is set", "the standard; some manuals call the bit reserved";
+    "limit switches", "stop what moves on towards them, in every mode but homing", "what they are for";
+    "mode bits of the statusword", "those that the drive's own table lists, where it lists any", "the others are reserved";
+    "data that do not come in cyclic synchronous position", "the axis stays at the last target", "the simplest";
     "encoder", "incremental: the position is 0 at power-on and home is unknown", "the simplest";
 }

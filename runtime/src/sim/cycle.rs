@@ -2,6 +2,7 @@
 
 use core::time::Duration;
 
+use crate::address::Address;
 use crate::cia402::{Controlword, State, Statusword, StopOption, Transition};
 use crate::model::EsmState;
 use crate::rule::Occasion;
@@ -18,22 +19,18 @@ use super::rules;
 /// The shortest cycle.
 const SHORTEST: Duration = Duration::from_nanos(62_500);
 
-/// A span less a shorter one. That of the core library has a panic that the optimizer cannot rule out.
-fn less(span: Duration, by: Duration) -> Duration {
-    Duration::from_nanos(nanos(span).saturating_sub(nanos(by)))
-}
-
-fn nanos(span: Duration) -> u64 {
-    u64::try_from(span.as_nanos()).unwrap_or(u64::MAX)
+/// A span in nanoseconds, of which 64 bits last for 584 years.
+const fn nanos(span: Duration) -> u64 {
+    span.as_secs().saturating_mul(1_000_000_000).saturating_add(span.subsec_nanos() as u64)
 }
 
 impl VirtualDrive<'_, '_> {
     /// Lets time pass: as many cycles as there are in it, the rest is kept for the next call.
     pub fn advance(&mut self, span: Duration) {
-        let cycle = self.config.cycle.max(SHORTEST);
-        self.rest = self.rest.saturating_add(span);
-        while self.rest >= cycle {
-            self.rest = less(self.rest, cycle);
+        let cycle = nanos(self.config.cycle.max(SHORTEST));
+        self.rest = self.rest.saturating_add(nanos(span));
+        while let Some(rest) = self.rest.checked_sub(cycle) {
+            self.rest = rest;
             self.step();
         }
     }
@@ -47,9 +44,11 @@ impl VirtualDrive<'_, '_> {
             return;
         }
         self.watch(cycle);
+        self.watch_probes();
         let word = Controlword(low16(self.memory.used(self.slots.controlword)));
         let options = self.options();
         let transition = self.change_state(word, options, cycle);
+        self.transition = transition;
         self.act_on(transition, word);
         let order = self.device.order(options);
         let incident = self.modes.step(
@@ -79,6 +78,15 @@ impl VirtualDrive<'_, '_> {
             && matches!(self.state(), State::SwitchedOn | State::OperationEnabled | State::QuickStopActive)
         {
             self.report(Incident::Undervoltage, true);
+        }
+    }
+
+    /// Rules of the touch probe, when its function changes.
+    fn watch_probes(&mut self) {
+        let slot = self.slots.probe_function;
+        let function = self.memory.used(slot);
+        if core::mem::replace(&mut self.probes, function) != function {
+            self.check_rules(slot, Address::new(0x60B8, 0));
         }
     }
 

@@ -4,7 +4,7 @@ use core::time::Duration;
 
 use crate::abort::AbortCode;
 use crate::address::Address;
-use crate::cia402::{Mode, State, Statusword};
+use crate::cia402::{Mode, State, Statusword, Transition};
 use crate::mapping::Direction;
 use crate::model::{AlarmDesc, DriveModel, EsmState};
 use crate::rule::Occasion;
@@ -56,8 +56,8 @@ pub struct VirtualDrive<'m, 's> {
     pub(super) alarms: Alarms<'m>,
     pub(super) modes: Modes<'m>,
     pub(super) now: Instant,
-    /// Time that is told and makes no whole cycle yet.
-    pub(super) rest: Duration,
+    /// Time that is told and makes no whole cycle yet, in nanoseconds.
+    pub(super) rest: u64,
     pub(super) esm: EsmState,
     pub(super) received: Layout,
     /// Process data carry more than words and targets.
@@ -65,6 +65,10 @@ pub struct VirtualDrive<'m, 's> {
     pub(super) sent: Layout,
     /// Time since process data came.
     pub(super) silent: Duration,
+    /// 60B8h in the last cycle: process data may carry it.
+    pub(super) probes: i64,
+    /// The transition of the last cycle.
+    pub(super) transition: Option<Transition>,
     pub(super) supply: bool,
     pub(super) mains: bool,
     pub(super) torque_allowed: bool,
@@ -115,12 +119,14 @@ impl<'m, 's> VirtualDrive<'m, 's> {
             alarms: Alarms::new(model),
             modes: axis,
             now: Instant::START,
-            rest: Duration::ZERO,
+            rest: 0,
             esm: EsmState::PreOp,
             received: Layout::EMPTY,
             parameters: false,
             sent: Layout::EMPTY,
             silent: Duration::ZERO,
+            probes: 0,
+            transition: None,
             supply: true,
             mains: true,
             torque_allowed: true,
@@ -161,6 +167,11 @@ impl<'m, 's> VirtualDrive<'m, 's> {
     /// The state of the state machine.
     pub const fn state(&self) -> State {
         self.device.state()
+    }
+
+    /// The transition that was made in the last cycle.
+    pub const fn transition(&self) -> Option<Transition> {
+        self.transition
     }
 
     /// The axis: where it is, how fast, what its switches say.
@@ -248,13 +259,19 @@ impl<'m, 's> VirtualDrive<'m, 's> {
 
     /// Alarms that a value raises, and values of which the drive keeps a copy in another form.
     fn written(&mut self, slot: Slot, address: Address) {
+        self.check_rules(slot, address);
+        self.modes.refresh();
+    }
+
+    /// The alarm of a rule that the present value breaks.
+    pub(super) fn check_rules(&mut self, slot: Slot, address: Address) {
         let value = self.memory.used(slot);
+        let model = self.model();
         let raised =
-            rules::broken_by(&self.memory, address, value).find_map(|rule| rules::alarm(self.model(), rule));
+            rules::broken_by(&self.memory, address, value).find_map(|rule| rules::alarm(model, rule));
         if let Some(alarm) = raised {
             self.raise_alarm(alarm, false);
         }
-        self.modes.refresh();
     }
 
     /// The state of the EtherCAT state machine.
@@ -287,6 +304,7 @@ impl<'m, 's> VirtualDrive<'m, 's> {
     /// From `PreOP` to `SafeOP`: what is exchanged is fixed.
     fn lay_out(&mut self) -> Result<(), BusRefusal> {
         let clock = if self.config.distributed_clocks { Occasion::Dc } else { Occasion::FreeRun };
+        self.synchronize();
         if rules::broken(&self.memory, clock).next().is_some() {
             return Err(BusRefusal::CycleTime);
         }
@@ -294,6 +312,18 @@ impl<'m, 's> VirtualDrive<'m, 's> {
         self.sent = Layout::of(&self.memory, Direction::Tx).map_err(|_| BusRefusal::InputMapping)?;
         self.parameters = !self.received.is_of(&self.slots.set_points());
         Ok(())
+    }
+
+    /// What 1C32h and 1C33h say of the synchronization: distributed clocks with SYNC0 and their cycle, or free run.
+    fn synchronize(&mut self) {
+        let cycle = i64::try_from(self.config.cycle.as_nanos()).unwrap_or(i64::MAX);
+        let (kind, cycle) = if self.config.distributed_clocks { (2, cycle) } else { (0, 0) };
+        for index in [0x1C32, 0x1C33] {
+            for (sub, value) in [(1, kind), (10, cycle)] {
+                let slot = self.memory.slot(Address::new(index, sub));
+                self.memory.put(slot, value);
+            }
+        }
     }
 
     /// A rule may forbid the change in this state: the state changes nevertheless, and there is an alarm.

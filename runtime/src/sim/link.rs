@@ -16,7 +16,8 @@ const TRANSFER: Duration = Duration::from_millis(1);
 
 /// A bus with one virtual drive. Every transfer lets time pass, and so does waiting; nothing sleeps.
 ///
-/// The inputs that an exchange gives are those after the outputs were taken and a cycle went by.
+/// The inputs that an exchange gives are those after the outputs were taken and a cycle went by. In OP, outputs of a wrong
+/// length are not taken, and there is no answer: the working counter of a real bus would be wrong.
 #[derive(Debug)]
 pub struct Link<'d, 'm, 's> {
     drive: &'d mut VirtualDrive<'m, 's>,
@@ -79,8 +80,11 @@ impl<'d, 'm, 's> Link<'d, 'm, 's> {
     }
 
     fn cycle(&mut self, outputs: &[u8], inputs: &mut [u8]) -> Result<usize, Refusal<Infallible>> {
-        self.drive.receive(outputs);
+        let taken = self.drive.receive(outputs) || self.drive.bus_state() != EsmState::Op;
         self.drive.advance(self.cycle);
+        if !taken {
+            return Err(Refusal::NoAnswer);
+        }
         match self.drive.process_data_bytes() {
             (_, length) if length > inputs.len() => Err(Refusal::TooLong),
             _ => self.drive.send(inputs).ok_or(Refusal::NoAnswer),

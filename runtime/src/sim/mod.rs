@@ -33,6 +33,9 @@ mod samples;
 mod server;
 mod slots;
 mod store;
+#[cfg(test)]
+mod tests;
+mod words;
 
 pub use alarms::{ActiveAlarm, Emergency, UnknownAlarm, MAX_ALARMS, MAX_MESSAGES};
 pub use assumptions::{Assumption, ASSUMPTIONS};

@@ -128,7 +128,7 @@ fn part<const N: usize>(data: &[u8], byte: u16) -> Option<[u8; N]> {
 
 impl Field {
     /// Its bits, and others above them. Whole bytes are read at once.
-    fn read(&self, data: &[u8]) -> u64 {
+    fn read(self, data: &[u8]) -> u64 {
         let whole = match (self.shift, self.bits) {
             (0, 32) => part(data, self.byte).map(|b| u64::from(u32::from_le_bytes(b))),
             (0, 16) => part(data, self.byte).map(|b| u64::from(u16::from_le_bytes(b))),
@@ -143,13 +143,13 @@ impl Field {
     }
 
     /// Writes its bits of `value`; others of the image stay.
-    fn write(&self, value: u64, data: &mut [u8]) {
+    fn write(self, value: u64, data: &mut [u8]) {
         let window = data.get_mut(usize::from(self.byte)..).unwrap_or(&mut []);
-        let [a, b, c, d, ..] = value.to_le_bytes();
-        match (self.shift, self.bits, &mut *window) {
-            (0, 32, [p, q, r, s, ..]) => (*p, *q, *r, *s) = (a, b, c, d),
-            (0, 16, [p, q, ..]) => (*p, *q) = (a, b),
-            (0, 8, [p, ..]) => *p = a,
+        let bytes = value.to_le_bytes();
+        match (self.shift, self.bits) {
+            (0, 32) => put::<4>(window, bytes),
+            (0, 16) => put::<2>(window, bytes),
+            (0, 8) => put::<1>(window, bytes),
             _ => {
                 let value = bits(extend(value, u32::from(self.bits), false));
                 let value = u128::from(value) << (self.shift & 7);
@@ -157,6 +157,11 @@ impl Field {
             }
         }
     }
+}
+
+/// Puts so many of the bytes at the start of a part of the image.
+fn put<const N: usize>(window: &mut [u8], bytes: [u8; 8]) {
+    window.iter_mut().take(N).zip(bytes).for_each(|(to, from)| *to = from);
 }
 
 /// Process data of the drive: a mapping object, or a row of the model.
@@ -214,7 +219,8 @@ impl<'m> Pdo<'m> {
 
     /// Whether what it carries is as long as it may be.
     fn fits(self, memory: &Memory<'m, '_>) -> bool {
-        let bits: usize = self.entries(memory).map(|entry| usize::from(entry.bits())).sum();
+        let bits =
+            self.entries(memory).fold(0_usize, |sum, entry| sum.saturating_add(usize::from(entry.bits())));
         let most = self.about.and_then(PdoDesc::max_bytes);
         most.map_or(true, |most| bits.div_ceil(8) <= usize::from(most))
     }

@@ -4,8 +4,8 @@ use crate::address::Address;
 use crate::model::{AlarmDesc, DriveModel};
 use crate::rule::{Occasion, RuleDesc};
 
-use super::events::holds;
 use super::memory::Memory;
+use super::words::{after, holds};
 
 /// The rules of an occasion that are broken at this moment.
 pub(crate) fn broken<'a, 'm>(
@@ -30,15 +30,12 @@ pub(crate) fn broken_by<'a, 'm>(
 
 /// The alarm that a rule names in its words: `alarm oPE`. A rule has no other place for it.
 pub(crate) fn alarm<'m>(model: &DriveModel<'m>, rule: &RuleDesc<'_>) -> Option<&'m AlarmDesc<'m>> {
-    // On bytes: a search in a text has panics that the optimizer cannot rule out.
-    let text = rule.text().as_bytes();
-    let places = || (0..text.len()).filter_map(|at| text.get(at..)?.strip_prefix(b"alarm ".as_slice()));
-    model.alarms().iter().find(|alarm| places().any(|rest| begins_with(rest, alarm.display().as_bytes())))
-}
-
-/// Whether `word` is the first word of `text`.
-fn begins_with(text: &[u8], word: &[u8]) -> bool {
-    text.strip_prefix(word).is_some_and(|rest| !rest.first().is_some_and(u8::is_ascii_alphanumeric))
+    let rest = after(rule.text(), "alarm ")?;
+    let named = |alarm: &&AlarmDesc<'_>| {
+        let end = rest.strip_prefix(alarm.display().as_bytes());
+        end.is_some_and(|end| !end.first().is_some_and(u8::is_ascii_alphanumeric))
+    };
+    model.alarms().iter().find(named)
 }
 
 /// Whether a write that breaks the rule is refused: process data are, and what the manual says is.

@@ -119,9 +119,10 @@ fn while_homing_runs_method_and_mode_stay() {
     rig.word(0x1F);
     assert_eq!(rig.write(0x6098, 0, 2), Err(AbortCode::GENERAL), "note 3");
     rig.write(0x6060, 0, 1).unwrap();
+    rig.run(1);
+    assert_eq!(rig.read(0x6061, 0), 6, "homing runs in this cycle");
     rig.run(3);
-    assert_eq!(rig.read(0x603F, 0), 0x8800, "oPE");
-    assert_eq!(rig.read(0x6061, 0), 6);
+    assert_eq!((rig.read(0x603F, 0), rig.read(0x6061, 0)), (0x8800, 1), "oPE ends it; then the mode is free");
 }
 
 #[test]

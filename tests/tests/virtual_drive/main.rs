@@ -1,9 +1,11 @@
 //! The virtual drive on the model of the SDV3-E: what its manual prints is what it does. Expected values come from the
 //! manual and from CiA 402.
 
-#![allow(clippy::unwrap_used, reason = "a test")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
 mod alarms;
+mod bus;
+mod chaos;
 mod homing;
 mod modes;
 mod process_data;

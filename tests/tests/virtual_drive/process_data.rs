@@ -6,7 +6,7 @@ use drivewright_runtime::sim::BusRefusal;
 
 use crate::Rig;
 
-/// The steps of section 3.4 for TxPDO1 with two entries: index, sub-index, value.
+/// The steps of section 3.4 for `TxPDO1` with two entries: index, sub-index, value.
 const STEPS: [(u16, u8, i64); 7] = [
     (0x1C13, 0, 0),
     (0x1A00, 0, 0),
@@ -139,4 +139,23 @@ fn the_bus_state_is_not_changed_while_enabled() {
     rig.drive.request(EsmState::PreOp).unwrap();
     rig.run(3);
     assert_eq!((rig.read(0x603F, 0), rig.drive.bus_state()), (0x8801, EsmState::PreOp), "ESr, R15");
+}
+
+#[test]
+fn a_rule_holds_for_process_data_too() {
+    let mut rig = Rig::new();
+    for (index, sub, value) in [
+        (0x1C12, 0, 0),
+        (0x1600, 0, 0),
+        (0x1600, 1, 0x6040_0010),
+        (0x1600, 2, 0x60B8_0010),
+        (0x1600, 0, 2),
+        (0x1C12, 0, 1),
+    ] {
+        rig.write(index, sub, value).unwrap();
+    }
+    op(&mut rig);
+    assert!(rig.drive.receive(&[0, 0, 0x11, 0]));
+    rig.run(2);
+    assert_eq!(rig.read(0x603F, 0), 0x8802, "R23: no input is EXT1");
 }

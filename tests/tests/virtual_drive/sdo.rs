@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use drivewright_runtime::AbortCode;
-use drivewright_runtime::model::EsmState;
+use drivewright_runtime::model::{AbortDesc, EsmState};
 use drivewright_runtime::sim::NoAnswer;
 use savch_sdv3_e::MODEL;
 
@@ -37,7 +37,7 @@ fn every_abort_of_the_table() {
     rig.drive.operate_locally(true);
     expect(rig.write(0x6083, 0, 200), 0x0800_0021);
     let write_only = MODEL.objects().iter().any(|object| !object.access().reads());
-    let expected = MODEL.aborts().iter().map(|row| row.code());
+    let expected = MODEL.aborts().iter().map(AbortDesc::code);
     let missing: Vec<_> = expected.filter(|code| !seen.contains(code)).collect();
     assert!(!write_only);
     assert_eq!(missing, [AbortCode::WRITE_ONLY]);

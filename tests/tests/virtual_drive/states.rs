@@ -1,5 +1,9 @@
 //! The state machine, sections 4.1.1 to 4.1.3: exact statuswords.
 
+use std::collections::BTreeSet;
+
+use drivewright_runtime::cia402::Transition;
+
 use crate::Rig;
 
 #[test]
@@ -114,4 +118,46 @@ fn a_drive_that_starts_up_does_not_answer() {
     assert!(rig.drive.upload(crate::at(0x6041, 0), &mut data).is_err());
     rig.run(100);
     assert_eq!(rig.read(0x6041, 0), 0x0250);
+}
+
+/// Transition 0 is power-on itself.
+#[test]
+fn all_seventeen_transitions_are_made() {
+    let mut rig = Rig::new();
+    let mut seen = BTreeSet::from([0]);
+    rig.drive.power_cycle();
+    let note = |rig: &Rig, seen: &mut BTreeSet<u8>| {
+        seen.extend(rig.drive.transition().map(Transition::number));
+    };
+    for _ in 0..100 {
+        rig.run(1);
+        note(&rig, &mut seen);
+    }
+    rig.write(0x6060, 0, 1).unwrap();
+    rig.write(0x605A, 0, 5).unwrap();
+    let up = [0x06, 0x07, 0x0F];
+    let walks: [&[i64]; 9] = [
+        &[0x07, 0x07, 0x06, 0x00],
+        &[0x06, 0x02],
+        &[0x00],
+        &[0x02, 0x0F, 0x00],
+        &[0x02, 0x00],
+        &[0x07, 0x07, 0x00],
+        &[-1, 0x0F, 0x00, 0x80, 0x00],
+        &[0x07, 0x07, 0x02],
+        &[0x00],
+    ];
+    for walk in walks {
+        for word in up.iter().chain(walk) {
+            if *word < 0 {
+                rig.drive.raise("OF", 0x25).unwrap();
+                rig.run(1);
+            } else {
+                rig.word(*word);
+            }
+            note(&rig, &mut seen);
+        }
+        assert_eq!(rig.status() & 0x6F, 0x40, "back: {walk:?}");
+    }
+    assert_eq!(seen, (0..=16).collect());
 }

@@ -12,7 +12,7 @@ use crate::model::{Entry, ObjectKind};
 pub(super) fn body(lowered: &Lowered<'_>) -> String {
     let mut out = imports(lowered.handles.iter().map(|h| h.ty.as_str()), &[]);
     if !lowered.model.entries.is_empty() {
-        out.push_str("use drivewright_runtime::prelude::*;\n");
+        out.push_str("use drivewright_runtime::prelude::*;\nuse drivewright_runtime::row::*;\n");
     }
     for (_, object) in lowered.model.objects.iter() {
         if object.kind.value != ObjectKind::Var {
@@ -37,17 +37,31 @@ fn handle(out: &mut String, entry: &Entry, handle: &Handle<'_>, lowered: &Lowere
         let _ = writeln!(out, "#[doc(alias = \"{number}\")]");
     }
     let Handle { name, ty, access, mapping, quantity, .. } = handle;
-    let value = format!(
-        "Object::new(0x{index:04X}, 0x{:02X}){}{}{}",
-        entry.address.sub,
-        range(entry, handle),
-        allow(entry, handle),
-        scale(entry)
-    );
+    let value = value(entry, handle);
     let start = format!("pub const {name}: Object<{ty}, {access}, {mapping}, {quantity}> =");
     // As rustfmt breaks it at 100 columns.
     let gap = if start.len() + value.len() + 2 > 100 { "\n    " } else { " " };
     let _ = writeln!(out, "{start}{gap}{value};");
+}
+
+/// One call with everything that nearly every entry states; the rest are builders behind it.
+fn value(entry: &Entry, handle: &Handle<'_>) -> String {
+    let scale = scale(entry);
+    let (range, limits) = match handle.range {
+        Some((Some(min), Some(max))) => {
+            (format!(", {}, {}", literal(entry, min), literal(entry, max)), String::new())
+        }
+        Some((min, max)) => (String::new(), limit(entry, min, max)),
+        None => (String::new(), String::new()),
+    };
+    let function = match (range.is_empty(), scale.is_empty()) {
+        (true, true) => "object",
+        (false, true) => "ranged",
+        (true, false) => "scaled",
+        (false, false) => "ranged_scaled",
+    };
+    let at = entry.address;
+    format!("{function}(0x{:04X}, 0x{:02X}{range}{scale}){limits}{}", at.index, at.sub, allow(entry, handle))
 }
 
 fn allow(entry: &Entry, handle: &Handle<'_>) -> String {
@@ -55,25 +69,16 @@ fn allow(entry: &Entry, handle: &Handle<'_>) -> String {
     if list.is_empty() { String::new() } else { format!(".allow(&[{}])", list.join(", ")) }
 }
 
-fn range(entry: &Entry, handle: &Handle<'_>) -> String {
-    let Some((min, max)) = handle.range else { return String::new() };
-    limits(min.map(|n| literal(entry, n)), max.map(|n| literal(entry, n)))
-}
-
-/// The call that sets the limits which are stated.
-pub(super) fn limits(min: Option<String>, max: Option<String>) -> String {
-    match (min, max) {
-        (Some(min), Some(max)) => format!(".range({min}, {max})"),
-        (Some(min), None) => format!(".at_least({min})"),
-        (None, Some(max)) => format!(".at_most({max})"),
-        (None, None) => String::new(),
-    }
+/// The builder of a limit that stands alone.
+fn limit(entry: &Entry, min: Option<i128>, max: Option<i128>) -> String {
+    let min = min.map(|n| format!(".at_least({})", literal(entry, n)));
+    min.or_else(|| max.map(|n| format!(".at_most({})", literal(entry, n)))).unwrap_or_default()
 }
 
 fn scale(entry: &Entry) -> String {
     match &entry.unit {
         Some(unit) if (unit.value.num, unit.value.den) != (1, 1) => {
-            format!(".scale({}, {})", grouped(unit.value.num.into()), grouped(unit.value.den.into()))
+            format!(", {}, {}", grouped(unit.value.num.into()), grouped(unit.value.den.into()))
         }
         _ => String::new(),
     }

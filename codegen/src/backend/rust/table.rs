@@ -2,7 +2,6 @@
 
 use std::fmt::Write;
 
-use super::handles::limits;
 use super::lower::{Lowered, access, meaning_of, quantity};
 use super::number::{grouped, hex};
 use super::values::literal;
@@ -13,10 +12,13 @@ use crate::model::{Address, BitField, BitsDef, Direction, Entry, Fact, Id, Model
 pub(super) fn body(lowered: &Lowered<'_>) -> String {
     let model = lowered.model;
     let mut out = String::from("use super::alarms::ALARMS;\nuse drivewright_runtime::prelude::*;\n");
+    if !model.entries.is_empty() {
+        out.push_str("use drivewright_runtime::row::*;\n");
+    }
     let units = model.units();
     out.push_str(&items::table("Units.", "UNITS", "UnitDesc", units.iter().map(|u| unit(u))));
     let rows = model.entries.iter().map(|(_, e)| object(e, &units));
-    out.push_str(&items::table("Entries of the dictionary, by address.", "OBJECTS", "ObjectDesc", rows));
+    out.push_str(&items::table(ENTRIES, "OBJECTS", "ObjectDesc", rows));
     let rows = model.entries.iter().filter_map(|(_, e)| allowed(e));
     out.push_str(&items::table(
         "Entries that take listed values only, by address.",
@@ -40,6 +42,8 @@ pub(super) fn body(lowered: &Lowered<'_>) -> String {
     out
 }
 
+const ENTRIES: &str = "Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.";
+
 fn unit(unit: &Unit) -> String {
     let kind = quantity(unit.quantity);
     format!(
@@ -54,35 +58,57 @@ pub(super) fn address(at: Address) -> String {
     format!("Address::new(0x{:04X}, 0x{:02X})", at.index, at.sub)
 }
 
+/// One call with everything that nearly every entry states; the rest are builders behind it.
 fn object(entry: &Entry, units: &[&Unit]) -> String {
-    let mapping = match entry.mapping.as_ref().map(|m| (m.value.rx, m.value.tx)) {
-        None => "NotStated",
-        Some((false, false)) => "Unmapped",
-        Some((true, false)) => "Rx",
-        Some((false, true)) => "Tx",
-        Some((true, true)) => "RxTx",
-    };
-    let mut row = format!(
-        "ObjectDesc::new({}, DataType::{}, Access::{}, Mapping::{mapping}, \"{}\")",
-        address(entry.address),
-        entry.ty.value.cia301_name(),
-        access(entry),
-        rust_str(&entry.name.value)
-    );
     let limit = |f: &Option<Fact<i128>>| f.as_ref().map(|f| pattern(entry, f.value));
-    row.push_str(&limits(limit(&entry.min), limit(&entry.max)));
-    if let Some(default) = entry.default_int() {
-        let _ = write!(row, ".default_int({})", pattern(entry, default.value));
+    let (min, max) = (limit(&entry.min), limit(&entry.max));
+    let default = entry.default_int().map(|d| pattern(entry, d.value));
+    let meaning = meaning(entry);
+    let (function, numbers, alone) = match (min, max, default) {
+        (Some(min), Some(max), Some(default)) => ("full", format!(", {min}, {max}, {default}"), None),
+        (Some(min), Some(max), None) => ("limited", format!(", {min}, {max}"), None),
+        (min, max, default) => {
+            let least = min.map(|n| format!(".at_least({n})"));
+            let alone = least.or_else(|| max.map(|n| format!(".at_most({n})")));
+            let numbers = default.map(|n| format!(", {n}"));
+            (if numbers.is_some() { "preset" } else { "entry" }, numbers.unwrap_or_default(), alone)
+        }
+    };
+    let alone = alone.unwrap_or_default();
+    format!("{function}({}{numbers}){alone}{meaning}", stated(entry, units))
+}
+
+/// What every row begins with: where it is, type, access, mapping, name, unit.
+fn stated(entry: &Entry, units: &[&Unit]) -> String {
+    let place = entry.unit.as_ref().and_then(|u| units.iter().position(|v| **v == u.value));
+    format!(
+        "0x{:04X}, 0x{:02X}, {}, {}, {}, \"{}\", {}",
+        entry.address.index,
+        entry.address.sub,
+        entry.ty.value.cia301_name(),
+        access(entry).to_ascii_uppercase(),
+        mapping(entry),
+        rust_str(&entry.name.value),
+        place.map_or_else(|| "NO_UNIT".to_owned(), |place| place.to_string())
+    )
+}
+
+fn mapping(entry: &Entry) -> &'static str {
+    match entry.mapping.as_ref().map(|m| (m.value.rx, m.value.tx)) {
+        None => "NOT_STATED",
+        Some((false, false)) => "UNMAPPED",
+        Some((true, false)) => "RX",
+        Some((false, true)) => "TX",
+        Some((true, true)) => "RX_TX",
     }
-    if let Some(place) = entry.unit.as_ref().and_then(|u| units.iter().position(|v| **v == u.value)) {
-        let _ = write!(row, ".unit({place})");
-    }
+}
+
+fn meaning(entry: &Entry) -> String {
     match meaning_of(entry) {
-        (Some(values), _) => drop(write!(row, ".values({})", values.place())),
-        (None, Some(bits)) => drop(write!(row, ".bits({})", bits.place())),
-        (None, None) => {}
+        (Some(values), _) => format!(".values({})", values.place()),
+        (None, Some(bits)) => format!(".bits({})", bits.place()),
+        (None, None) => String::new(),
     }
-    row
 }
 
 /// A number as the tables hold it: values of UNSIGNED64 above 63 bits as their bit pattern.
@@ -116,7 +142,7 @@ fn bit_table(table: &BitsDef) -> String {
 
 fn pdo(pdo: &Pdo, layout: Option<&String>, model: &Model) -> String {
     let direction = if pdo.direction == Direction::Rx { "Rx" } else { "Tx" };
-    let mapping = layout.map_or_else(|| mapping(pdo, model), |name| format!("&super::pdo::{name}::MAPPING"));
+    let mapping = layout.map_or_else(|| mapped(pdo, model), |name| format!("&super::pdo::{name}::MAPPING"));
     let mut row =
         format!("PdoDesc::new({}, Direction::{direction}, {mapping})", address(Address::new(pdo.index, 0)));
     if let Some(most) = &model.drive.limits.pdo_entries {
@@ -129,7 +155,7 @@ fn pdo(pdo: &Pdo, layout: Option<&String>, model: &Model) -> String {
 }
 
 /// The mapping of a PDO without a typed layout.
-fn mapping(pdo: &Pdo, model: &Model) -> String {
+fn mapped(pdo: &Pdo, model: &Model) -> String {
     let entry = |e: &crate::model::PdoEntry| {
         format!("MapEntry::new({}, {})", address(model.entries[e.entry].address), e.bits.value)
     };

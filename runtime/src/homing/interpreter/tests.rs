@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::homing::Signal::{Home, NegativeLimit, PositiveLimit};
+use crate::homing::{Pace, Side};
 use std::vec::Vec;
 
 const METHOD_1: HomingDesc<'static> = HomingDesc::new(1).with_cases(&[

@@ -89,7 +89,23 @@ impl<'m> Homing<'m> {
         self.time
     }
 
-    /// What the planner has to do, after what the axis has crossed in the last cycle.
+    /// Tells the run what the axis has crossed in the last cycle.
+    pub(super) fn watch(&mut self, plant: &Plant) {
+        let Some(run) = &mut self.run else { return };
+        for crossing in plant.crossings() {
+            if run.event(*crossing) {
+                self.stalled = false;
+            }
+        }
+        if plant.stalled() >= STALL && !self.stalled {
+            self.stalled = true;
+            let stall = |event| Crossing { event, position: plant.position(), direction: plant.driven() };
+            run.event(stall(Event::Torque(true)));
+            run.event(stall(Event::Stall));
+        }
+    }
+
+    /// What the planner has to do.
     pub(super) fn step(
         &mut self,
         plant: &Plant,
@@ -102,7 +118,6 @@ impl<'m> Homing<'m> {
             return Outcome::None;
         };
         self.time = self.time.saturating_add(cycle);
-        self.tell(&mut run, plant);
         let still = planner.done() && plant.standstill();
         if still && matches!(run.command(), Command::Brake | Command::Return { .. }) && at_goal(&run, planner)
         {
@@ -112,28 +127,13 @@ impl<'m> Homing<'m> {
         self.obey(run.command(), planner, units)
     }
 
-    fn tell(&mut self, run: &mut Run<'m>, plant: &Plant) {
-        for crossing in plant.crossings() {
-            if run.event(*crossing) {
-                self.stalled = false;
-            }
-        }
-        let stalls = plant.stalled() >= STALL;
-        if stalls && !self.stalled {
-            self.stalled = true;
-            let stall = |event| Crossing { event, position: plant.position(), direction: plant.driven() };
-            run.event(stall(Event::Torque(true)));
-            run.event(stall(Event::Stall));
-        }
-    }
-
     fn obey(&mut self, command: Command, planner: &mut Planner, units: &Units) -> Outcome {
         let ramp = units.homing_acceleration;
         let limits = |velocity| Limits { velocity, acceleration: ramp, deceleration: ramp };
         match command {
             Command::Move { direction, pace } => {
                 let speed = if pace == Pace::Fast { units.homing_fast } else { units.homing_slow };
-                let velocity = if direction == Side::Positive { speed } else { -speed };
+                let velocity = if direction == Side::Positive { speed } else { speed.saturating_neg() };
                 planner.run_at(velocity, limits(speed));
             }
             Command::Brake => planner.stop(ramp),

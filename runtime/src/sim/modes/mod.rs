@@ -68,8 +68,8 @@ pub(crate) struct Modes<'m> {
     /// The units may have changed.
     stale: bool,
     active: Mode,
-    /// A value of 6060h that is not followed: it is asked about once.
-    refused: Option<i64>,
+    /// A value of 6060h that is not followed, which is asked about once; and whether only while homing runs.
+    refused: Option<(i64, bool)>,
     /// The count of the axis at which the position is 0.
     origin: i64,
     /// The count of the axis at which home was found.
@@ -226,16 +226,20 @@ impl<'m> Modes<'m> {
     fn change_mode(&mut self, context: &Context<'_, 'm, '_>) -> Option<Incident> {
         let raw = context.memory.used(context.slots.mode);
         let wanted = Mode(signed8(raw));
-        if wanted == self.active || self.refused == Some(raw) {
+        if wanted == self.active {
+            self.refused = None;
+            return None;
+        }
+        if self.refused.is_some_and(|(value, homes)| value == raw && (!homes || self.homing.runs())) {
             return None;
         }
         if !supports(context, wanted) {
-            self.refused = Some(raw);
+            self.refused = Some((raw, false));
             return None;
         }
         if self.homing.runs() && context.memory.model().rules_on(Some(Occasion::WhileHoming)).next().is_some()
         {
-            self.refused = Some(raw);
+            self.refused = Some((raw, true));
             return Some(Incident::Mode);
         }
         self.refused = None;

@@ -99,7 +99,7 @@ impl<'m> Modes<'m> {
         let offset =
             if self.active == Mode::CYCLIC_VELOCITY { memory.used(slots.velocity_offset) } else { 0 };
         let wanted = self.units.velocity.inward(raw.saturating_add(offset));
-        let speed = wanted.max(-most).min(most);
+        let speed = wanted.max(most.saturating_neg()).min(most);
         let blocked = self.blocked(speed.signum());
         self.limited |= blocked || speed != wanted;
         if blocked {
@@ -135,7 +135,7 @@ impl<'m> Modes<'m> {
     fn torque(&mut self, torque: i32) -> Setpoint {
         self.lead = Lead::Nothing;
         let speed = self.plant.velocity();
-        let faster = i64::from(torque).signum() * speed.signum() > 0;
+        let faster = torque != 0 && (torque > 0) == (speed > 0);
         let held = faster && speed.saturating_abs() >= self.units.max_motor_speed;
         self.limited |= held;
         Setpoint::Torque { torque: if held { 0 } else { torque } }
@@ -183,7 +183,7 @@ impl<'m> Modes<'m> {
             let most = reach.saturating_mul(i64::from(context.config.target_jump));
             incident = (most > 0 && self.cyclic.jumps(wanted, most)).then_some(Incident::Command);
             let last = self.cyclic.last();
-            let way = wanted.saturating_sub(last).max(-reach).min(reach);
+            let way = wanted.saturating_sub(last).max(reach.saturating_neg()).min(reach);
             let blocked = self.blocked(way.signum());
             self.limited |= blocked;
             self.cyclic.target(if blocked || incident.is_some() { last } else { last.saturating_add(way) });
@@ -194,6 +194,7 @@ impl<'m> Modes<'m> {
 
     /// A start of homing, or its end: bit 4.
     pub(super) fn look_at_homing(&mut self, context: &Context<'_, 'm, '_>) {
+        self.homing.watch(&self.plant);
         let starts = self.homing.look(context.word);
         if self.order != Order::Follow {
             self.homing.interrupt();
@@ -224,7 +225,7 @@ impl<'m> Modes<'m> {
         if let Outcome::Home(place) = outcome {
             let offset = match context.config.home_offset {
                 HomeOffset::ZeroIsHomePlusOffset => self.units.home_offset,
-                HomeOffset::HomeIsOffset => -self.units.home_offset,
+                HomeOffset::HomeIsOffset => self.units.home_offset.saturating_neg(),
             };
             self.home = Some(place);
             self.origin = place.saturating_add(offset);

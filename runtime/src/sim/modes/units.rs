@@ -52,7 +52,7 @@ fn nearest(value: i64, num: i64, den: i64) -> i64 {
     if let Some(quotient) = short.and_then(|sum| sum.checked_div_euclid(den)) {
         return quotient;
     }
-    let sum = (i128::from(value) * i128::from(num)).saturating_add(i128::from(half));
+    let sum = product([i128::from(value), i128::from(num)]).saturating_add(i128::from(half));
     let quotient = sum.checked_div_euclid(i128::from(den)).unwrap_or(0);
     i64::try_from(quotient).unwrap_or(if quotient < 0 { i64::MIN } else { i64::MAX })
 }
@@ -180,16 +180,18 @@ impl View<'_, '_, '_> {
         let (gear_num, gear_den) = (i128::from(self.position.num), i128::from(self.position.den));
         let speed = i128::from(SPEED);
         match quantity {
-            QuantityKind::Velocity => Scale::new(num * i128::from(self.revolution) * speed, den * 60),
-            QuantityKind::Counts => Scale::new(num * speed, den),
-            _ => Scale::new(num * gear_num * speed, den * gear_den),
+            QuantityKind::Velocity => {
+                Scale::new(product([num, i128::from(self.revolution), speed]), product([den, 60]))
+            }
+            QuantityKind::Counts => Scale::new(product([num, speed]), den),
+            _ => Scale::new(product([num, gear_num, speed]), product([den, gear_den])),
         }
     }
 
     fn torque_scale(&self, slot: Slot) -> Scale {
         match self.unit(slot) {
             (QuantityKind::TorqueRatio | QuantityKind::CurrentRatio, num, den) => {
-                Scale::new(num * 1_000, den)
+                Scale::new(product([num, 1_000]), den)
             }
             _ => Scale::ONE,
         }
@@ -216,14 +218,16 @@ impl View<'_, '_, '_> {
         let (quantity, num, den) = self.unit(slot);
         let raw = i128::from(self.raw(slot)).max(1);
         let revolution = i128::from(self.revolution);
+        let (gear_num, gear_den) = (i128::from(self.position.num), i128::from(self.position.den));
         let rate = match quantity {
             QuantityKind::Time => {
-                ratio(i128::from(self.config.ramp_speed) * revolution * den, raw * num * 60)
+                let speed = i128::from(self.config.ramp_speed);
+                ratio(product([speed, revolution, den]), product([raw, num, 60]))
             }
-            QuantityKind::RampTime => ratio(1_000 * revolution * den, raw * num * 60),
-            QuantityKind::Acceleration => ratio(raw * num * revolution, den * 60),
-            QuantityKind::Counts => ratio(raw * num, den),
-            _ => ratio(raw * num * i128::from(self.position.num), den * i128::from(self.position.den)),
+            QuantityKind::RampTime => ratio(product([1_000, revolution, den]), product([raw, num, 60])),
+            QuantityKind::Acceleration => ratio(product([raw, num, revolution]), product([den, 60])),
+            QuantityKind::Counts => ratio(product([raw, num]), den),
+            _ => ratio(product([raw, num, gear_num]), product([den, gear_den])),
         };
         rate.max(1)
     }
@@ -245,7 +249,7 @@ impl View<'_, '_, '_> {
         let (quantity, num, den) = self.unit(slot);
         Some(match quantity {
             QuantityKind::UserPosition => self.position.inward(raw),
-            QuantityKind::Angle => ratio(i128::from(raw) * num * i128::from(self.revolution), den),
+            QuantityKind::Angle => ratio(product([i128::from(raw), num, i128::from(self.revolution)]), den),
             _ => raw,
         })
     }
@@ -284,9 +288,14 @@ fn gear(memory: &Memory<'_, '_>, slots: &Slots, revolution: i64) -> Scale {
     }
     let feed = if slots.feed.exists() { of(slots.feed) } else { i128::from(revolution) };
     Scale::new(
-        i128::from(revolution) * of(slots.gear_motor) * of(slots.feed_revolutions),
-        of(slots.gear_shaft) * feed,
+        product([i128::from(revolution), of(slots.gear_motor), of(slots.feed_revolutions)]),
+        product([of(slots.gear_shaft), feed]),
     )
+}
+
+/// The product, or the nearest number.
+fn product<const N: usize>(factors: [i128; N]) -> i128 {
+    factors.into_iter().fold(1, i128::saturating_mul)
 }
 
 /// `num / den` rounded down; 1 at least below the line.

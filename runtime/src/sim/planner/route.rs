@@ -129,7 +129,7 @@ fn top_speed(from: i64, length: i128, limits: Limits) -> i64 {
     if from >= wanted {
         return from;
     }
-    triangle(from, length, limits).max(from.max(1)).min(wanted)
+    triangle(from, length, limits).max(from).max(1).min(wanted)
 }
 
 /// The speed at which a triangle changes from one ramp to the other. With `h = a d / (a + d)` it is

@@ -37,13 +37,29 @@ pub struct PlantConfig {
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Loops {
-    /// Speed for each count of position error. 0 to 100.
+    /// Speed for each count of position error. 0 to 100. Without feed-forward the axis lags by its speed divided by this.
     pub position: i64,
     /// Acceleration for each count per second of speed error. 1 to 500.
     pub speed: i64,
     /// What the integral of the speed error adds to that in a second. 0 to 200.
     pub integral: i64,
 }
+
+/// What [`PlantConfig::default`] says although no maker does, and why it says so.
+pub const ASSUMPTIONS: [(&str, &str); 9] = [
+    ("encoder", "131072 counts in a revolution: 17 bits are usual, and all places are whole numbers"),
+    ("inertia", "rated torque gives 3000 rpm in 50 ms: a small motor with a load of about its own inertia"),
+    ("torque", "300 % of rated: the overload of most servo motors"),
+    (
+        "friction",
+        "3 % dry, 5 % viscous at 3000 rpm: enough to hold a light axis, too little to matter in a move",
+    ),
+    ("travel", "21 revolutions between hard stops without rebound: a spindle of 10 mm gives 210 mm"),
+    ("switches", "limits a quarter of a revolution before the stops: enough to brake at homing speeds"),
+    ("home switch", "active in the middle: methods for switches of either kind find an edge"),
+    ("index pulse", "three eighths of a revolution from 0: on no edge, so that no home is ambiguous"),
+    ("inner loops", "40/s, 250/s, 60/s: stable for 62.5 us to 1 ms; no maker prints those of its drive"),
+];
 
 impl Default for Loops {
     fn default() -> Self {

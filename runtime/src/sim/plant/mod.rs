@@ -28,7 +28,7 @@ mod tests;
 
 use core::time::Duration;
 
-pub use config::{ConfigError, Loops, PlantConfig};
+pub use config::{ConfigError, Loops, PlantConfig, ASSUMPTIONS};
 pub use switches::{Band, Switches};
 
 use super::motion::{self, Motion, PARTS, TOP_ACCELERATION};
