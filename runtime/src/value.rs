@@ -216,10 +216,12 @@ impl<Q: Quantity> fmt::Debug for Value<Q> {
     }
 }
 
+const POWERS_OF_TEN: [u32; 10] =
+    [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000, 1_000_000_000];
+
 /// As a decimal where that is exact within nine places, otherwise as a fraction.
 pub(crate) fn write_fraction(f: &mut fmt::Formatter<'_>, num: i64, den: u32) -> fmt::Result {
-    let places =
-        (0..=9_u8).map(|p| (p, 10_u32.pow(p.into()))).find(|(_, ten)| ten.checked_rem(den) == Some(0));
+    let places = (0..=9_u8).zip(POWERS_OF_TEN).find(|(_, ten)| ten.checked_rem(den) == Some(0));
     let sign = if num < 0 { "-" } else { "" };
     let (num, den) = (num.unsigned_abs(), u64::from(den));
     match places {

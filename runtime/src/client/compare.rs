@@ -48,7 +48,7 @@ pub enum Kind<'b> {
     Refused(Cause),
     /// A constant is another one: the profile is that of other firmware.
     Constant(Content<'b>),
-    /// A setting holds a value that the profile excludes.
+    /// A setting or a constant holds a value that the profile excludes.
     Excluded(Content<'b>),
     /// A setting is not at its default.
     Setting(Content<'b>),
@@ -161,8 +161,9 @@ fn failed(cause: Cause) -> Kind<'static> {
 
 /// What there is to say about a value; `None`: nothing.
 fn judge<'b>(model: &DriveModel<'_>, object: &ObjectDesc<'_>, content: Content<'b>) -> Option<Kind<'b>> {
-    let writes = object.access().writes();
-    if writes && content.number().is_some_and(|number| !takes(model, object, number)) {
+    let (writes, constant) = (object.access().writes(), is_constant(model, object));
+    let number = content.number().filter(|_| writes || constant);
+    if number.is_some_and(|number| !takes(model, object, number)) {
         return Some(Kind::Excluded(content));
     }
     if content.is(model.default_of(object))? {
@@ -170,7 +171,7 @@ fn judge<'b>(model: &DriveModel<'_>, object: &ObjectDesc<'_>, content: Content<'
     }
     Some(match writes {
         true => Kind::Setting(content),
-        false if is_constant(model, object) => Kind::Constant(content),
+        false if constant => Kind::Constant(content),
         false => Kind::Reported(content),
     })
 }

@@ -8,8 +8,9 @@ use core::fmt;
 use crate::address::Address;
 use crate::cia402::{Mode, State, Statusword};
 use crate::client::decode::ErrorRegister;
-use crate::client::message::{displays, Clean, Explain, Lines, Severity};
+use crate::client::message::{displays, list, Clean, Explain, Lines, Severity};
 use crate::client::object::{received, AccessError, Action, Cause};
+use crate::client::tally::count;
 use crate::model::{AlarmDesc, AlarmText, DriveModel, EmcyContent, Reset};
 use crate::procedure::{Answer, Ask, Procedure};
 use crate::time::Instant;
@@ -271,7 +272,7 @@ impl Explain for Fault<'_> {
         if self.is_active() == Some(false) {
             f.write_str("not in fault now; the last one: ")?;
         }
-        match (self.alarm(), Fault::code(self), self.alarms().fold(0_u16, |many, _| many.saturating_add(1))) {
+        match (self.alarm(), Fault::code(self), count(self.alarms())) {
             (Some(alarm), ..) => write!(f, "{}", Clean(alarm.name().as_bytes()))?,
             (None, None, _) => f.write_str("the drive reports no error code")?,
             (None, Some(code), 0) => write!(f, "{}, a code that the profile does not list", class(code))?,
@@ -316,7 +317,7 @@ impl fmt::Display for Numbered<'_> {
         if let [only] = self.0 {
             return write!(f, "{}", Clean(only.as_bytes()));
         }
-        for (number, text) in (1..=u8::MAX).zip(self.0) {
+        for (number, text) in (1..=usize::MAX).zip(self.0) {
             write!(f, "{}{number} {}", if number == 1 { "" } else { "\n" }, Clean(text.as_bytes()))?;
         }
         Ok(())
@@ -328,13 +329,17 @@ struct Maybe<'f, 'm>(&'f Fault<'m>);
 
 impl fmt::Display for Maybe<'_, '_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut between = "";
-        for alarm in self.0.alarms() {
-            let (display, name) = (Clean(alarm.display().as_bytes()), Clean(alarm.name().as_bytes()));
-            write!(f, "{between}{display} {:02X}h {name}", alarm.number())?;
-            between = "\n";
-        }
-        Ok(())
+        list(f, "\n", self.0.alarms().map(Named))
+    }
+}
+
+/// An alarm by display, number and name.
+struct Named<'m>(&'m AlarmDesc<'m>);
+
+impl fmt::Display for Named<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (display, name) = (Clean(self.0.display().as_bytes()), Clean(self.0.name().as_bytes()));
+        write!(f, "{display} {:02X}h {name}", self.0.number())
     }
 }
 

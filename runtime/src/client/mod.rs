@@ -19,6 +19,7 @@ pub mod moves;
 pub mod object;
 pub mod parameters;
 pub mod session;
+mod tally;
 pub mod units;
 
 #[cfg(test)]

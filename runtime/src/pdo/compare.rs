@@ -99,12 +99,12 @@ impl core::error::Error for LayoutMismatch {}
 /// ```
 pub fn compare(expected: &[MapEntry], words: impl IntoIterator<Item = u32>) -> Result<(), LayoutMismatch> {
     let mut found = words.into_iter().map(MapEntry::from_word);
-    for (position, expected) in (1..).zip(expected.iter().copied()) {
+    for (position, expected) in (1..=usize::MAX).zip(expected.iter().copied()) {
         let found = found.next().ok_or(LayoutMismatch::Missing { position, expected })?;
         entry_agrees(position, expected, found)?;
     }
     match found.next() {
-        Some(found) => Err(LayoutMismatch::Extra { position: expected.len() + 1, found }),
+        Some(found) => Err(LayoutMismatch::Extra { position: expected.len().saturating_add(1), found }),
         None => Ok(()),
     }
 }

@@ -11,6 +11,7 @@ mod client;
 mod drive;
 mod objects;
 mod procedure;
+mod services;
 mod tables;
 
 use core::panic::PanicInfo;
@@ -22,6 +23,7 @@ pub extern "C" fn _start() -> ! {
     cia402::run();
     tables::run();
     procedure::run();
+    services::run();
     let _ = axis::run(&mut tables::Lines(0));
     client::run(procedure::Anything);
     #[cfg(feature = "drive")]

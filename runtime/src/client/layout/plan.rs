@@ -5,6 +5,7 @@ use core::fmt;
 use super::{assignment, MAX_ENTRIES};
 use crate::address::Address;
 use crate::client::message::{displays, Clean, Explain};
+use crate::client::tally::sum;
 use crate::mapping::Direction;
 use crate::model::{DriveModel, PdoDesc, Remap};
 use crate::pdo::{MapEntry, ProcessData};
@@ -45,7 +46,7 @@ impl<'p> Mapped<'p> {
 
     /// Length in bits.
     pub fn bits(&self) -> usize {
-        self.entries.iter().map(|entry| usize::from(entry.bits())).sum()
+        sum(self.entries.iter().map(|entry| entry.bits().into()))
     }
 }
 

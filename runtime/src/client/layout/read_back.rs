@@ -5,8 +5,9 @@ use core::fmt;
 use super::plan::is_fixed;
 use super::{assignment, Mapped, Plan, MAX_ENTRIES};
 use crate::address::Address;
-use crate::client::message::{displays, Explain, Lines};
+use crate::client::message::{displays, list, Explain, Lines};
 use crate::client::object::{received, AccessError, Action, Cause};
+use crate::client::tally::sum;
 use crate::mapping::Direction;
 use crate::model::DriveModel;
 use crate::pdo::{compare, LayoutMismatch, MapEntry};
@@ -273,11 +274,8 @@ struct Row<F>(F);
 
 impl<I: Iterator<Item = MapEntry>, F: Fn() -> I> fmt::Display for Row<F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut bits = 0_usize;
-        for (place, entry) in (self.0)().enumerate() {
-            write!(f, "{}{entry}", if place == 0 { "" } else { " | " })?;
-            bits = bits.saturating_add(entry.bits().into());
-        }
+        list(f, " | ", (self.0)())?;
+        let bits = sum((self.0)().map(|entry| entry.bits().into()));
         write!(f, "{}({} bytes)", if bits == 0 { "" } else { "  " }, bits.div_ceil(8))
     }
 }

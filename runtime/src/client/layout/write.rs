@@ -7,6 +7,7 @@ use super::{assignment, Plan, PlanError};
 use crate::address::Address;
 use crate::client::message::{displays, Explain, Lines};
 use crate::client::object::{taken, AccessError, Action};
+use crate::client::tally::count;
 use crate::model::DriveModel;
 use crate::procedure::{Answer, Ask, Procedure};
 use crate::time::Instant;
@@ -57,12 +58,12 @@ impl<'p, 'm> Write<'p, 'm> {
             let entries =
                 (1..=u8::MAX).zip(pdo.entries()).map(move |(sub, entry)| (at(sub), entry.word(), 4));
             let none = core::iter::once((at(0), 0, 1));
-            none.chain(entries).chain(core::iter::once((at(0), count(pdo.entries().len()), 1)))
+            none.chain(entries).chain(core::iter::once((at(0), number(pdo.entries().len()), 1)))
         });
         let assigned = (1..=u8::MAX).zip(self.plan.pdos());
         let assigned = assigned.map(move |(sub, pdo)| (assign(sub), u32::from(pdo.index()), 2));
-        let number = core::iter::once((assign(0), count(self.plan.pdos().len()), 1));
-        core::iter::once((assign(0), 0, 1)).chain(maps).chain(assigned).chain(number)
+        let last = core::iter::once((assign(0), number(self.plan.pdos().len()), 1));
+        core::iter::once((assign(0), 0, 1)).chain(maps).chain(assigned).chain(last)
     }
 
     fn is_fixed(&self, index: u16) -> bool {
@@ -74,12 +75,12 @@ impl<'p, 'm> Write<'p, 'm> {
     }
 
     fn failed(&self, error: AccessError) -> WriteError {
-        WriteError { step: self.step, steps: self.steps().count(), error }
+        WriteError { step: self.step, steps: count(self.steps()), error }
     }
 }
 
 /// A number of entries; the plan has checked that there are few.
-fn count(entries: usize) -> u32 {
+fn number(entries: usize) -> u32 {
     u32::try_from(entries).unwrap_or(u32::MAX)
 }
 

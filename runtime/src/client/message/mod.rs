@@ -217,6 +217,20 @@ impl Late<'_, '_, '_> {
     }
 }
 
+/// Writes items one after the other, with this between them.
+pub(crate) fn list<T: fmt::Display>(
+    f: &mut fmt::Formatter<'_>,
+    between: &str,
+    items: impl Iterator<Item = T>,
+) -> fmt::Result {
+    let mut gap = "";
+    for item in items {
+        write!(f, "{gap}{item}")?;
+        gap = between;
+    }
+    Ok(())
+}
+
 /// `Display` and `Error` of an error that explains itself: the report. Its lifetimes come first, in brackets.
 macro_rules! displays {
     ($([$($life:lifetime),*] $name:ty;)*) => {$(

@@ -4,7 +4,7 @@ use core::fmt;
 
 use super::Content;
 use crate::bit_field::BitDesc;
-use crate::client::message::Clean;
+use crate::client::message::{list, Clean};
 use crate::data_type::DataType;
 use crate::model::{DefaultValue, DriveModel, ObjectDesc};
 use crate::ratio::Factor;
@@ -61,7 +61,7 @@ impl<'s, 'm> Shown<'s, 'm> {
             };
         }
         if let (Some(table), Ok(word)) = (self.model.bits_of(self.object), u64::try_from(value)) {
-            let digits = self.object.data_type().bytes().saturating_mul(2);
+            let digits = u8::try_from(self.object.data_type().bytes().saturating_mul(2)).unwrap_or(0);
             return write!(f, "{}", Bits { rows: table.bits(), word, digits });
         }
         self.measured(f, value)
@@ -102,21 +102,40 @@ fn show_bytes(f: &mut fmt::Formatter<'_>, data_type: DataType, bytes: &[u8]) -> 
         DataType::VISIBLE_STRING => return write!(f, "\"{}\"", Clean(bytes)),
         DataType::REAL32 => {
             if let Ok(value) = f32::decode(bytes) {
-                return write!(f, "{value}");
+                return show_real(f, value.into());
             }
         }
         DataType::REAL64 => {
             if let Ok(value) = f64::decode(bytes) {
-                return write!(f, "{value}");
+                return show_real(f, value);
             }
         }
         _ => {}
     }
     f.write_str("[")?;
-    for (at, byte) in bytes.iter().enumerate() {
-        write!(f, "{}{byte:02X}", if at == 0 { "" } else { " " })?;
-    }
+    list(f, " ", bytes.iter().map(Hex))?;
     f.write_str("]")
+}
+
+/// Floating point, to a millionth. The formatting of the core library takes kilobytes and can panic as far as a linker knows.
+#[allow(clippy::cast_possible_truncation)] // A cast stops at the limits of its type.
+fn show_real(f: &mut fmt::Formatter<'_>, value: f64) -> fmt::Result {
+    const MILLION: u32 = 1_000_000;
+    let scaled = value * f64::from(MILLION);
+    match scaled as i64 {
+        i64::MIN | i64::MAX => write!(f, "[{:016X}h]", value.to_bits()),
+        0 if value != 0.0 => write!(f, "[{:016X}h]", value.to_bits()),
+        millionths => write_fraction(f, millionths, MILLION),
+    }
+}
+
+/// A byte as two hexadecimal digits.
+struct Hex<'b>(&'b u8);
+
+impl fmt::Display for Hex<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:02X}", self.0)
+    }
 }
 
 /// The names of the bits of a word that are set, and the word. Bits whose meaning depends on a mode are left out: the mode
@@ -127,12 +146,13 @@ pub(crate) struct Bits<'s, 'm> {
     /// The word.
     pub(crate) word: u64,
     /// Hexadecimal digits of the word.
-    pub(crate) digits: usize,
+    pub(crate) digits: u8,
 }
 
 impl fmt::Display for Bits<'_, '_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { rows, word, digits } = *self;
+        let digits = usize::from(digits);
         let mut gap = "";
         for row in rows.iter().filter(|row| row.mode().is_none() && row.of(word) != 0) {
             write!(f, "{gap}{}", Clean(row.name().as_bytes()))?;

@@ -184,7 +184,9 @@ fn values_show_decoded_with_the_raw_number_in_brackets() {
     assert_eq!(shown(0x6041, Content::Int(0x1231)), "ready to switch on, supply 3 [1231h]");
     assert_eq!(shown(0x6041, Content::Int(0)), "[0000h]");
     assert_eq!(shown(0x1008, Content::Bytes(b"X3\x1B\0")), r#""X3\x1b""#);
-    assert_eq!(shown(0x2000, Content::Bytes(&[0, 0, 0xC0, 0x3F])), "1.5");
+    assert_eq!(shown(0x2000, Content::Bytes(&[0, 0, 0xC0, 0x3F])), "1.500000");
+    assert_eq!(shown(0x2000, Content::Bytes(&[0, 0, 0xC0, 0xFF])), "[FFF8000000000000h]", "no number");
+    assert_eq!(shown(0x2000, Content::Bytes(&[0, 0, 0x80, 0xFF])), "[FFF0000000000000h]", "infinite");
     assert_eq!(shown(0x2000, Content::Bytes(&[1, 2])), "[01 02]");
     assert_eq!(Shown::default(&MODEL, &OBJECTS[0]).to_string(), "not stated");
 }

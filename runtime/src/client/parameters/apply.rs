@@ -4,6 +4,7 @@ use super::order::{broken_in_the_end, give_turns, Role, Rules, Slot};
 use super::{is_command, is_mapping, SetCause, SetError, SetReport, Setting};
 use crate::address::Address;
 use crate::client::object::{is_free, received, taken, AccessError, Action, Cause, Content};
+use crate::client::tally::count;
 use crate::model::{DriveModel, Effect};
 use crate::pdo::MapEntry;
 use crate::procedure::{Answer, Ask, Procedure};
@@ -75,7 +76,7 @@ impl<'m, 'w, 's> Apply<'m, 'w, 's> {
         occasions: &'w [Occasion],
         slots: &'s mut [Slot],
     ) -> Result<Self, SetError<'m>> {
-        for (place, setting) in wanted.iter().enumerate() {
+        for (place, setting) in (0..wanted.len()).zip(wanted) {
             let others = wanted.get(..place).unwrap_or(&[]);
             check(model, setting, others).map_err(|cause| SetError::before(setting.address, cause))?;
             if place >= usize::from(u16::MAX) {
@@ -157,7 +158,7 @@ impl<'m, 'w, 's> Apply<'m, 'w, 's> {
     }
 
     fn failed(&self, address: Address, cause: SetCause<'m>) -> SetError<'m> {
-        SetError { address, cause, written: self.written().count() }
+        SetError { address, cause, written: count(self.written()) }
     }
 
     fn refused(&self, error: AccessError) -> SetError<'m> {
@@ -306,10 +307,10 @@ impl<'m, 'w, 's> Apply<'m, 'w, 's> {
     }
 
     fn applied(&self) -> Applied {
-        let of = |effect| self.effects().filter(|(_, e)| *e == effect).count();
+        let of = |effect| count(self.effects().filter(|(_, e)| *e == effect));
         Applied {
-            written: self.written().count(),
-            unchanged: self.slots.iter().filter(|slot| slot.role == Role::Same).count(),
+            written: count(self.written()),
+            unchanged: count(self.slots.iter().filter(|slot| slot.role == Role::Same)),
             at_stop: of(Effect::AtStop),
             power_cycle: of(Effect::PowerCycle),
         }

@@ -4,7 +4,7 @@ use core::fmt;
 
 use super::order::{Role, Slot};
 use crate::address::Address;
-use crate::client::message::{displays, Clean, Explain, Lines};
+use crate::client::message::{displays, list, Clean, Explain, Lines};
 use crate::client::object::AccessError;
 use crate::model::DriveModel;
 
@@ -169,10 +169,7 @@ struct List<'s, F>(&'s [Slot], F);
 
 impl<F: Fn(&Slot) -> bool> fmt::Display for List<'_, F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (place, slot) in self.0.iter().filter(|slot| (self.1)(slot)).enumerate() {
-            write!(f, "{}{}", if place == 0 { "" } else { ", " }, slot.address)?;
-        }
-        Ok(())
+        list(f, ", ", self.0.iter().filter(|slot| (self.1)(slot)).map(|slot| slot.address))
     }
 }
 

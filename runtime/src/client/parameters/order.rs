@@ -129,7 +129,7 @@ pub(super) fn give_turns<'m>(
 
 /// The open slot that is to be written next.
 fn next_free(rules: &Rules<'_, '_>, slots: &[Slot]) -> Option<usize> {
-    let open = || slots.iter().enumerate().filter(|(_, slot)| slot.role == Role::Open);
+    let open = || (0..slots.len()).zip(slots).filter(|(_, slot)| slot.role == Role::Open);
     let free = || open().filter(|(_, slot)| in_the_way(rules, slots, slot.address).is_none());
     let gentle = free().filter(|(_, slot)| !LIMITS.iter().any(|rule| breaks(rule, slots, slot.address)));
     let first = |slots: &mut dyn Iterator<Item = (usize, &Slot)>| {

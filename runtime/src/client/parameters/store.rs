@@ -166,7 +166,7 @@ impl<'m> Store<'m> {
 
     /// From target `place` on, the first that the drive has.
     fn target(&self, place: usize) -> Phase {
-        let mut targets = TARGETS.iter().enumerate().skip(place);
+        let mut targets = (0..TARGETS.len()).zip(&TARGETS).filter(|(at, _)| *at >= place);
         match targets.find(|(_, (target, _))| self.has(*target)) {
             Some((place, (_, Some(source)))) if self.has(*source) => Phase::Harmless(place),
             Some((place, _)) => Phase::Target(place),
