@@ -5,6 +5,7 @@
 
 use super::{bits, enums};
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Device type, `1000:00`: UNSIGNED32, ro, not mapped.
 ///
@@ -15,7 +16,7 @@ use drivewright_runtime::prelude::*;
 ///
 /// Erratum E009, default: printed 402. CiA 402 has the kind of drive in the upper half: 00020192h for a servo drive. Nothing else in the manual names it. Kept.
 #[doc(alias = "1000")]
-pub const DEVICE_TYPE: Object<u32, Ro, Unmapped, Raw> = Object::new(0x1000, 0x00);
+pub const DEVICE_TYPE: Object<u32, Ro, Unmapped, Raw> = object(0x1000, 0x00);
 
 /// Error register, `1001:00`: UNSIGNED8, ro, not mapped.
 ///
@@ -23,8 +24,7 @@ pub const DEVICE_TYPE: Object<u32, Ro, Unmapped, Raw> = Object::new(0x1000, 0x00
 /// Default 0.
 /// Manual: 6.1 T6-1 L1056.
 #[doc(alias = "1001")]
-pub const ERROR_REGISTER: Object<bits::ErrorRegister, Ro, Unmapped, Raw> =
-    Object::new(0x1001, 0x00);
+pub const ERROR_REGISTER: Object<bits::ErrorRegister, Ro, Unmapped, Raw> = object(0x1001, 0x00);
 
 /// Device name, `1008:00`: VISIBLE_STRING, ro, not mapped.
 ///
@@ -33,21 +33,21 @@ pub const ERROR_REGISTER: Object<bits::ErrorRegister, Ro, Unmapped, Raw> =
 ///
 /// Erratum E071, default: printed "2S0.75E". The manual is for a series, and this reads like the type code of one size of it. Kept; another size may well answer something else.
 #[doc(alias = "1008")]
-pub const DEVICE_NAME: Object<VisibleString, Ro, Unmapped, Raw> = Object::new(0x1008, 0x00);
+pub const DEVICE_NAME: Object<VisibleString, Ro, Unmapped, Raw> = object(0x1008, 0x00);
 
 /// Hardware version, `1009:00`: VISIBLE_STRING, ro, not mapped.
 ///
 /// Default "1.0".
 /// Manual: 6.1 T6-1 L1058.
 #[doc(alias = "1009")]
-pub const HARDWARE_VERSION: Object<VisibleString, Ro, Unmapped, Raw> = Object::new(0x1009, 0x00);
+pub const HARDWARE_VERSION: Object<VisibleString, Ro, Unmapped, Raw> = object(0x1009, 0x00);
 
 /// Software version, `100A:00`: VISIBLE_STRING, ro, not mapped.
 ///
 /// Default "1.0".
 /// Manual: 6.1 T6-1 L1059.
 #[doc(alias = "100A")]
-pub const SOFTWARE_VERSION: Object<VisibleString, Ro, Unmapped, Raw> = Object::new(0x100A, 0x00);
+pub const SOFTWARE_VERSION: Object<VisibleString, Ro, Unmapped, Raw> = object(0x100A, 0x00);
 
 // 1018h Identity object
 
@@ -57,7 +57,7 @@ pub const SOFTWARE_VERSION: Object<VisibleString, Ro, Unmapped, Raw> = Object::n
 /// Default 4.
 /// Manual: 6.1 T6-1 L1060.
 #[doc(alias = "1018")]
-pub const IDENTITY: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1018, 0x00);
+pub const IDENTITY: Object<u8, Ro, Unmapped, Raw> = object(0x1018, 0x00);
 
 /// Vendor ID, `1018:01`: UNSIGNED32, ro, not mapped.
 ///
@@ -65,7 +65,7 @@ pub const IDENTITY: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1018, 0x00);
 /// Default 000007E6h.
 /// Manual: 6.1 T6-1 L1061.
 #[doc(alias = "1018")]
-pub const VENDOR_ID: Object<u32, Ro, Unmapped, Raw> = Object::new(0x1018, 0x01);
+pub const VENDOR_ID: Object<u32, Ro, Unmapped, Raw> = object(0x1018, 0x01);
 
 /// Product code, `1018:02`: UNSIGNED32, ro, not mapped.
 ///
@@ -73,21 +73,21 @@ pub const VENDOR_ID: Object<u32, Ro, Unmapped, Raw> = Object::new(0x1018, 0x01);
 /// Note: The four bytes are the ASCII letters SDV3.
 /// Manual: 6.1 T6-1 L1062.
 #[doc(alias = "1018")]
-pub const PRODUCT_CODE: Object<u32, Ro, Unmapped, Raw> = Object::new(0x1018, 0x02);
+pub const PRODUCT_CODE: Object<u32, Ro, Unmapped, Raw> = object(0x1018, 0x02);
 
 /// Revision, `1018:03`: UNSIGNED32, ro, not mapped.
 ///
 /// Default 00100010h.
 /// Manual: 6.1 T6-1 L1063.
 #[doc(alias = "1018")]
-pub const REVISION: Object<u32, Ro, Unmapped, Raw> = Object::new(0x1018, 0x03);
+pub const REVISION: Object<u32, Ro, Unmapped, Raw> = object(0x1018, 0x03);
 
 /// Serial number, `1018:04`: UNSIGNED32, ro, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1064.
 #[doc(alias = "1018")]
-pub const SERIAL_NUMBER: Object<u32, Ro, Unmapped, Raw> = Object::new(0x1018, 0x04);
+pub const SERIAL_NUMBER: Object<u32, Ro, Unmapped, Raw> = object(0x1018, 0x04);
 
 // 1600h RxPDO1 mapping
 
@@ -98,22 +98,21 @@ pub const SERIAL_NUMBER: Object<u32, Ro, Unmapped, Raw> = Object::new(0x1018, 0x
 ///
 /// Erratum E072, max: printed 10. Ten objects of 32 bits are 40 bytes, and 3.4 allows 32 bytes in all, here and in the seven other mapping objects; past that the drive stays out of safe-operational. Kept: both limits hold.
 #[doc(alias = "1600")]
-pub const NUMBER_OF_MAPPED_RXPDO1: Object<u8, Rw, Unmapped, Raw> =
-    Object::new(0x1600, 0x00).range(0, 10);
+pub const NUMBER_OF_MAPPED_RXPDO1: Object<u8, Rw, Unmapped, Raw> = ranged(0x1600, 0x00, 0, 10);
 
 /// 1st RxPDO1 Mapped Object, `1600:01`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 60400010h.
 /// Manual: 6.1 T6-1 L1066.
 #[doc(alias = "1600")]
-pub const RXPDO1_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x01);
+pub const RXPDO1_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = object(0x1600, 0x01);
 
 /// 2nd RxPDO1 Mapped Object, `1600:02`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 607A0020h.
 /// Manual: 6.1 T6-1 L1067.
 #[doc(alias = "1600")]
-pub const RXPDO1_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x02);
+pub const RXPDO1_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = object(0x1600, 0x02);
 
 /// 3rd RxPDO1 Mapped Object, `1600:03`: UNSIGNED32, rw, not mapped.
 ///
@@ -123,7 +122,7 @@ pub const RXPDO1_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0
 ///
 /// Erratum E016, name: printed "3rd RxPDO 1Mapped Object", used "3rd RxPDO1 Mapped Object". The space is out of place; the other rows of the object have it one place later (L1066).
 #[doc(alias = "1600")]
-pub const RXPDO1_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x03);
+pub const RXPDO1_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = object(0x1600, 0x03);
 
 /// 4th RxPDO1 Mapped Object, `1600:04`: UNSIGNED32, rw, not mapped.
 ///
@@ -133,21 +132,21 @@ pub const RXPDO1_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0
 ///
 /// Erratum E017, name: printed "4th RxPDO 1Mapped Object", used "4th RxPDO1 Mapped Object". As for E016.
 #[doc(alias = "1600")]
-pub const RXPDO1_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x04);
+pub const RXPDO1_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = object(0x1600, 0x04);
 
 /// 5th RxPDO1 Mapped Object, `1600:05`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 60600008h.
 /// Manual: 6.1 T6-1 L1070.
 #[doc(alias = "1600")]
-pub const RXPDO1_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x05);
+pub const RXPDO1_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = object(0x1600, 0x05);
 
 /// 6th RxPDO1 Mapped Object, `1600:06`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1071.
 #[doc(alias = "1600")]
-pub const RXPDO1_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x06);
+pub const RXPDO1_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = object(0x1600, 0x06);
 
 /// 7th RxPDO1 Mapped Object, `1600:07`: UNSIGNED32, rw, not mapped.
 ///
@@ -157,28 +156,28 @@ pub const RXPDO1_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = Object::new(0
 ///
 /// Erratum E018, name: printed "7th RxPDO 1Mapped Object", used "7th RxPDO1 Mapped Object". As for E016.
 #[doc(alias = "1600")]
-pub const RXPDO1_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x07);
+pub const RXPDO1_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = object(0x1600, 0x07);
 
 /// 8th RxPDO1 Mapped Object, `1600:08`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1073.
 #[doc(alias = "1600")]
-pub const RXPDO1_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x08);
+pub const RXPDO1_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = object(0x1600, 0x08);
 
 /// 9th RxPDO1 Mapped Object, `1600:09`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1074.
 #[doc(alias = "1600")]
-pub const RXPDO1_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x09);
+pub const RXPDO1_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = object(0x1600, 0x09);
 
 /// 10th RxPDO1 Mapped Object, `1600:0A`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1075.
 #[doc(alias = "1600")]
-pub const RXPDO1_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1600, 0x0A);
+pub const RXPDO1_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = object(0x1600, 0x0A);
 
 // 1601h RxPDO2 mapping
 
@@ -187,22 +186,21 @@ pub const RXPDO1_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(
 /// 0 to 10; default 2.
 /// Manual: 6.1 T6-1 L1076.
 #[doc(alias = "1601")]
-pub const NUMBER_OF_MAPPED_RXPDO2: Object<u8, Rw, Unmapped, Raw> =
-    Object::new(0x1601, 0x00).range(0, 10);
+pub const NUMBER_OF_MAPPED_RXPDO2: Object<u8, Rw, Unmapped, Raw> = ranged(0x1601, 0x00, 0, 10);
 
 /// 1st RxPDO2 Mapped Object, `1601:01`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 60400010h.
 /// Manual: 6.1 T6-1 L1077.
 #[doc(alias = "1601")]
-pub const RXPDO2_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x01);
+pub const RXPDO2_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = object(0x1601, 0x01);
 
 /// 2nd RxPDO2 Mapped Object, `1601:02`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 607A0020h.
 /// Manual: 6.1 T6-1 L1080.
 #[doc(alias = "1601")]
-pub const RXPDO2_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x02);
+pub const RXPDO2_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = object(0x1601, 0x02);
 
 /// 3rd RxPDO2 Mapped Object, `1601:03`: UNSIGNED32, rw, not mapped.
 ///
@@ -212,7 +210,7 @@ pub const RXPDO2_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0
 ///
 /// Erratum E021, name: printed "3rd RxPDO 2Mapped Object", used "3rd RxPDO2 Mapped Object". As for E016 (L1080).
 #[doc(alias = "1601")]
-pub const RXPDO2_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x03);
+pub const RXPDO2_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = object(0x1601, 0x03);
 
 /// 4th RxPDO2 Mapped Object, `1601:04`: UNSIGNED32, rw, not mapped.
 ///
@@ -222,49 +220,49 @@ pub const RXPDO2_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0
 ///
 /// Erratum E022, name: printed "4th RxPDO 2Mapped Object", used "4th RxPDO2 Mapped Object". As for E016 (L1080).
 #[doc(alias = "1601")]
-pub const RXPDO2_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x04);
+pub const RXPDO2_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = object(0x1601, 0x04);
 
 /// 5th RxPDO2 Mapped Object, `1601:05`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1083.
 #[doc(alias = "1601")]
-pub const RXPDO2_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x05);
+pub const RXPDO2_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = object(0x1601, 0x05);
 
 /// 6th RxPDO2 Mapped Object, `1601:06`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1084.
 #[doc(alias = "1601")]
-pub const RXPDO2_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x06);
+pub const RXPDO2_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = object(0x1601, 0x06);
 
 /// 7th RxPDO2 Mapped Object, `1601:07`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1085.
 #[doc(alias = "1601")]
-pub const RXPDO2_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x07);
+pub const RXPDO2_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = object(0x1601, 0x07);
 
 /// 8th RxPDO2 Mapped Object, `1601:08`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1086.
 #[doc(alias = "1601")]
-pub const RXPDO2_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x08);
+pub const RXPDO2_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = object(0x1601, 0x08);
 
 /// 9th RxPDO2 Mapped Object, `1601:09`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1087.
 #[doc(alias = "1601")]
-pub const RXPDO2_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x09);
+pub const RXPDO2_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = object(0x1601, 0x09);
 
 /// 10th RxPDO2 Mapped Object, `1601:0A`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1088.
 #[doc(alias = "1601")]
-pub const RXPDO2_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1601, 0x0A);
+pub const RXPDO2_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = object(0x1601, 0x0A);
 
 // 1602h RxPDO3 mapping
 
@@ -277,78 +275,77 @@ pub const RXPDO2_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(
 ///
 /// Erratum E023, max: printed 10, kept. The row is shifted by one cell to the right in the text extract: the index stands under the sub-index, the range 0\~10 under the default, and the default is lost. In the rows below only the sub-index is out of place (L1090 to L1099). That the default is 2, as in the neighbours, follows from the two objects mapped; it is not printed.
 #[doc(alias = "1602")]
-pub const NUMBER_OF_MAPPED_RXPDO3: Object<u8, Rw, Unmapped, Raw> =
-    Object::new(0x1602, 0x00).range(0, 10);
+pub const NUMBER_OF_MAPPED_RXPDO3: Object<u8, Rw, Unmapped, Raw> = ranged(0x1602, 0x00, 0, 10);
 
 /// 1st RxPDO3 Mapped Object, `1602:01`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 60400010h.
 /// Manual: 6.1 T6-1 L1090.
 #[doc(alias = "1602")]
-pub const RXPDO3_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x01);
+pub const RXPDO3_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = object(0x1602, 0x01);
 
 /// 2nd RxPDO3 Mapped Object, `1602:02`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 60FF0020h.
 /// Manual: 6.1 T6-1 L1091.
 #[doc(alias = "1602")]
-pub const RXPDO3_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x02);
+pub const RXPDO3_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = object(0x1602, 0x02);
 
 /// 3rd RxPDO3 Mapped Object, `1602:03`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1092.
 #[doc(alias = "1602")]
-pub const RXPDO3_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x03);
+pub const RXPDO3_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = object(0x1602, 0x03);
 
 /// 4th RxPDO3 Mapped Object, `1602:04`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1093.
 #[doc(alias = "1602")]
-pub const RXPDO3_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x04);
+pub const RXPDO3_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = object(0x1602, 0x04);
 
 /// 5th RxPDO3 Mapped Object, `1602:05`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1094.
 #[doc(alias = "1602")]
-pub const RXPDO3_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x05);
+pub const RXPDO3_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = object(0x1602, 0x05);
 
 /// 6th RxPDO3 Mapped Object, `1602:06`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1095.
 #[doc(alias = "1602")]
-pub const RXPDO3_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x06);
+pub const RXPDO3_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = object(0x1602, 0x06);
 
 /// 7th RxPDO3 Mapped Object, `1602:07`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1096.
 #[doc(alias = "1602")]
-pub const RXPDO3_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x07);
+pub const RXPDO3_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = object(0x1602, 0x07);
 
 /// 8th RxPDO3 Mapped Object, `1602:08`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1097.
 #[doc(alias = "1602")]
-pub const RXPDO3_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x08);
+pub const RXPDO3_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = object(0x1602, 0x08);
 
 /// 9th RxPDO3 Mapped Object, `1602:09`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1098.
 #[doc(alias = "1602")]
-pub const RXPDO3_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x09);
+pub const RXPDO3_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = object(0x1602, 0x09);
 
 /// 10th RxPDO3 Mapped Object, `1602:0A`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1099.
 #[doc(alias = "1602")]
-pub const RXPDO3_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1602, 0x0A);
+pub const RXPDO3_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = object(0x1602, 0x0A);
 
 // 1603h RxPDO4 mapping
 
@@ -357,78 +354,77 @@ pub const RXPDO3_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(
 /// 0 to 10; default 0.
 /// Manual: 6.1 T6-1 L1100.
 #[doc(alias = "1603")]
-pub const NUMBER_OF_MAPPED_RXPDO4: Object<u8, Rw, Unmapped, Raw> =
-    Object::new(0x1603, 0x00).range(0, 10);
+pub const NUMBER_OF_MAPPED_RXPDO4: Object<u8, Rw, Unmapped, Raw> = ranged(0x1603, 0x00, 0, 10);
 
 /// 1st RxPDO4 Mapped Object, `1603:01`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1101.
 #[doc(alias = "1603")]
-pub const RXPDO4_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x01);
+pub const RXPDO4_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = object(0x1603, 0x01);
 
 /// 2nd RxPDO4 Mapped Object, `1603:02`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1102.
 #[doc(alias = "1603")]
-pub const RXPDO4_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x02);
+pub const RXPDO4_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = object(0x1603, 0x02);
 
 /// 3rd RxPDO4 Mapped Object, `1603:03`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1103.
 #[doc(alias = "1603")]
-pub const RXPDO4_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x03);
+pub const RXPDO4_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = object(0x1603, 0x03);
 
 /// 4th RxPDO4 Mapped Object, `1603:04`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1104.
 #[doc(alias = "1603")]
-pub const RXPDO4_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x04);
+pub const RXPDO4_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = object(0x1603, 0x04);
 
 /// 5th RxPDO4 Mapped Object, `1603:05`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1105.
 #[doc(alias = "1603")]
-pub const RXPDO4_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x05);
+pub const RXPDO4_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = object(0x1603, 0x05);
 
 /// 6th RxPDO4 Mapped Object, `1603:06`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1106.
 #[doc(alias = "1603")]
-pub const RXPDO4_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x06);
+pub const RXPDO4_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = object(0x1603, 0x06);
 
 /// 7th RxPDO4 Mapped Object, `1603:07`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1107.
 #[doc(alias = "1603")]
-pub const RXPDO4_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x07);
+pub const RXPDO4_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = object(0x1603, 0x07);
 
 /// 8th RxPDO4 Mapped Object, `1603:08`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1108.
 #[doc(alias = "1603")]
-pub const RXPDO4_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x08);
+pub const RXPDO4_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = object(0x1603, 0x08);
 
 /// 9th RxPDO4 Mapped Object, `1603:09`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1109.
 #[doc(alias = "1603")]
-pub const RXPDO4_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x09);
+pub const RXPDO4_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = object(0x1603, 0x09);
 
 /// 10th RxPDO4 Mapped Object, `1603:0A`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1112.
 #[doc(alias = "1603")]
-pub const RXPDO4_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1603, 0x0A);
+pub const RXPDO4_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = object(0x1603, 0x0A);
 
 // 1A00h TxPDO1 mapping
 
@@ -439,78 +435,77 @@ pub const RXPDO4_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(
 ///
 /// Erratum E068, min: printed 0. The steps of 3.4 allow 1 to 10. 0 switches the mapping off while it is changed (L225). Kept.
 #[doc(alias = "1A00")]
-pub const NUMBER_OF_MAPPED_TXPDO1: Object<u8, Rw, Unmapped, Raw> =
-    Object::new(0x1A00, 0x00).range(0, 10);
+pub const NUMBER_OF_MAPPED_TXPDO1: Object<u8, Rw, Unmapped, Raw> = ranged(0x1A00, 0x00, 0, 10);
 
 /// 1st TxPDO1 Mapped Object, `1A00:01`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 60410010h.
 /// Manual: 6.1 T6-1 L1114.
 #[doc(alias = "1A00")]
-pub const TXPDO1_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A00, 0x01);
+pub const TXPDO1_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = object(0x1A00, 0x01);
 
 /// 2nd TxPDO1 Mapped Object, `1A00:02`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 60640020h.
 /// Manual: 6.1 T6-1 L1115.
 #[doc(alias = "1A00")]
-pub const TXPDO1_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A00, 0x02);
+pub const TXPDO1_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = object(0x1A00, 0x02);
 
 /// 3rd TxPDO1 Mapped Object, `1A00:03`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 606C0020h.
 /// Manual: 6.1 T6-1 L1116.
 #[doc(alias = "1A00")]
-pub const TXPDO1_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A00, 0x03);
+pub const TXPDO1_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = object(0x1A00, 0x03);
 
 /// 4th TxPDO1 Mapped Object, `1A00:04`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 60780010h.
 /// Manual: 6.1 T6-1 L1117.
 #[doc(alias = "1A00")]
-pub const TXPDO1_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A00, 0x04);
+pub const TXPDO1_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = object(0x1A00, 0x04);
 
 /// 5th TxPDO1 Mapped Object, `1A00:05`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 60610008h.
 /// Manual: 6.1 T6-1 L1118.
 #[doc(alias = "1A00")]
-pub const TXPDO1_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A00, 0x05);
+pub const TXPDO1_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = object(0x1A00, 0x05);
 
 /// 6th TxPDO1 Mapped Object, `1A00:06`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1119.
 #[doc(alias = "1A00")]
-pub const TXPDO1_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A00, 0x06);
+pub const TXPDO1_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = object(0x1A00, 0x06);
 
 /// 7th TxPDO1 Mapped Object, `1A00:07`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1120.
 #[doc(alias = "1A00")]
-pub const TXPDO1_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A00, 0x07);
+pub const TXPDO1_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = object(0x1A00, 0x07);
 
 /// 8th TxPDO1 Mapped Object, `1A00:08`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1121.
 #[doc(alias = "1A00")]
-pub const TXPDO1_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A00, 0x08);
+pub const TXPDO1_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = object(0x1A00, 0x08);
 
 /// 9th TxPDO1 Mapped Object, `1A00:09`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1122.
 #[doc(alias = "1A00")]
-pub const TXPDO1_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A00, 0x09);
+pub const TXPDO1_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = object(0x1A00, 0x09);
 
 /// 10th TxPDO1 Mapped Object, `1A00:0A`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1123.
 #[doc(alias = "1A00")]
-pub const TXPDO1_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A00, 0x0A);
+pub const TXPDO1_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = object(0x1A00, 0x0A);
 
 // 1A01h TxPDO2 mapping
 
@@ -519,78 +514,77 @@ pub const TXPDO1_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(
 /// 0 to 10; default 2.
 /// Manual: 6.1 T6-1 L1124.
 #[doc(alias = "1A01")]
-pub const NUMBER_OF_MAPPED_TXPDO2: Object<u8, Rw, Unmapped, Raw> =
-    Object::new(0x1A01, 0x00).range(0, 10);
+pub const NUMBER_OF_MAPPED_TXPDO2: Object<u8, Rw, Unmapped, Raw> = ranged(0x1A01, 0x00, 0, 10);
 
 /// 1st TxPDO2 Mapped Object, `1A01:01`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 60410010h.
 /// Manual: 6.1 T6-1 L1125.
 #[doc(alias = "1A01")]
-pub const TXPDO2_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x01);
+pub const TXPDO2_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = object(0x1A01, 0x01);
 
 /// 2nd TxPDO2 Mapped Object, `1A01:02`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 60640020h.
 /// Manual: 6.1 T6-1 L1126.
 #[doc(alias = "1A01")]
-pub const TXPDO2_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x02);
+pub const TXPDO2_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = object(0x1A01, 0x02);
 
 /// 3rd TxPDO2 Mapped Object, `1A01:03`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1127.
 #[doc(alias = "1A01")]
-pub const TXPDO2_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x03);
+pub const TXPDO2_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = object(0x1A01, 0x03);
 
 /// 4th TxPDO2 Mapped Object, `1A01:04`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1128.
 #[doc(alias = "1A01")]
-pub const TXPDO2_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x04);
+pub const TXPDO2_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = object(0x1A01, 0x04);
 
 /// 5th TxPDO2 Mapped Object, `1A01:05`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1129.
 #[doc(alias = "1A01")]
-pub const TXPDO2_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x05);
+pub const TXPDO2_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = object(0x1A01, 0x05);
 
 /// 6th TxPDO2 Mapped Object, `1A01:06`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1130.
 #[doc(alias = "1A01")]
-pub const TXPDO2_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x06);
+pub const TXPDO2_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = object(0x1A01, 0x06);
 
 /// 7th TxPDO2 Mapped Object, `1A01:07`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1131.
 #[doc(alias = "1A01")]
-pub const TXPDO2_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x07);
+pub const TXPDO2_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = object(0x1A01, 0x07);
 
 /// 8th TxPDO2 Mapped Object, `1A01:08`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1132.
 #[doc(alias = "1A01")]
-pub const TXPDO2_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x08);
+pub const TXPDO2_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = object(0x1A01, 0x08);
 
 /// 9th TxPDO2 Mapped Object, `1A01:09`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1133.
 #[doc(alias = "1A01")]
-pub const TXPDO2_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x09);
+pub const TXPDO2_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = object(0x1A01, 0x09);
 
 /// 10th TxPDO2 Mapped Object, `1A01:0A`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1134.
 #[doc(alias = "1A01")]
-pub const TXPDO2_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A01, 0x0A);
+pub const TXPDO2_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = object(0x1A01, 0x0A);
 
 // 1A02h TxPDO3 mapping
 
@@ -599,78 +593,77 @@ pub const TXPDO2_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(
 /// 0 to 10; default 2.
 /// Manual: 6.1 T6-1 L1135.
 #[doc(alias = "1A02")]
-pub const NUMBER_OF_MAPPED_TXPDO3: Object<u8, Rw, Unmapped, Raw> =
-    Object::new(0x1A02, 0x00).range(0, 10);
+pub const NUMBER_OF_MAPPED_TXPDO3: Object<u8, Rw, Unmapped, Raw> = ranged(0x1A02, 0x00, 0, 10);
 
 /// 1st TxPDO3 Mapped Object, `1A02:01`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 60410010h.
 /// Manual: 6.1 T6-1 L1136.
 #[doc(alias = "1A02")]
-pub const TXPDO3_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x01);
+pub const TXPDO3_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = object(0x1A02, 0x01);
 
 /// 2nd TxPDO3 Mapped Object, `1A02:02`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 606C0020h.
 /// Manual: 6.1 T6-1 L1137.
 #[doc(alias = "1A02")]
-pub const TXPDO3_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x02);
+pub const TXPDO3_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = object(0x1A02, 0x02);
 
 /// 3rd TxPDO3 Mapped Object, `1A02:03`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1138.
 #[doc(alias = "1A02")]
-pub const TXPDO3_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x03);
+pub const TXPDO3_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = object(0x1A02, 0x03);
 
 /// 4th TxPDO3 Mapped Object, `1A02:04`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1139.
 #[doc(alias = "1A02")]
-pub const TXPDO3_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x04);
+pub const TXPDO3_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = object(0x1A02, 0x04);
 
 /// 5th TxPDO3 Mapped Object, `1A02:05`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1140.
 #[doc(alias = "1A02")]
-pub const TXPDO3_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x05);
+pub const TXPDO3_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = object(0x1A02, 0x05);
 
 /// 6th TxPDO3 Mapped Object, `1A02:06`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1141.
 #[doc(alias = "1A02")]
-pub const TXPDO3_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x06);
+pub const TXPDO3_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = object(0x1A02, 0x06);
 
 /// 7th TxPDO3 Mapped Object, `1A02:07`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1144.
 #[doc(alias = "1A02")]
-pub const TXPDO3_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x07);
+pub const TXPDO3_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = object(0x1A02, 0x07);
 
 /// 8th TxPDO3 Mapped Object, `1A02:08`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1145.
 #[doc(alias = "1A02")]
-pub const TXPDO3_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x08);
+pub const TXPDO3_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = object(0x1A02, 0x08);
 
 /// 9th TxPDO3 Mapped Object, `1A02:09`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1146.
 #[doc(alias = "1A02")]
-pub const TXPDO3_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x09);
+pub const TXPDO3_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = object(0x1A02, 0x09);
 
 /// 10th TxPDO3 Mapped Object, `1A02:0A`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1147.
 #[doc(alias = "1A02")]
-pub const TXPDO3_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A02, 0x0A);
+pub const TXPDO3_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = object(0x1A02, 0x0A);
 
 // 1A03h TxPDO4 mapping
 
@@ -679,78 +672,77 @@ pub const TXPDO3_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(
 /// 0 to 10; default 0.
 /// Manual: 6.1 T6-1 L1148.
 #[doc(alias = "1A03")]
-pub const NUMBER_OF_MAPPED_TXPDO4: Object<u8, Rw, Unmapped, Raw> =
-    Object::new(0x1A03, 0x00).range(0, 10);
+pub const NUMBER_OF_MAPPED_TXPDO4: Object<u8, Rw, Unmapped, Raw> = ranged(0x1A03, 0x00, 0, 10);
 
 /// 1st TxPDO4 Mapped Object, `1A03:01`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1149.
 #[doc(alias = "1A03")]
-pub const TXPDO4_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x01);
+pub const TXPDO4_MAPPED_OBJECT_1: Object<u32, Rw, Unmapped, Raw> = object(0x1A03, 0x01);
 
 /// 2nd TxPDO4 Mapped Object, `1A03:02`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1150.
 #[doc(alias = "1A03")]
-pub const TXPDO4_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x02);
+pub const TXPDO4_MAPPED_OBJECT_2: Object<u32, Rw, Unmapped, Raw> = object(0x1A03, 0x02);
 
 /// 3rd TxPDO4 Mapped Object, `1A03:03`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1151.
 #[doc(alias = "1A03")]
-pub const TXPDO4_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x03);
+pub const TXPDO4_MAPPED_OBJECT_3: Object<u32, Rw, Unmapped, Raw> = object(0x1A03, 0x03);
 
 /// 4th TxPDO4 Mapped Object, `1A03:04`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1152.
 #[doc(alias = "1A03")]
-pub const TXPDO4_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x04);
+pub const TXPDO4_MAPPED_OBJECT_4: Object<u32, Rw, Unmapped, Raw> = object(0x1A03, 0x04);
 
 /// 5th TxPDO4 Mapped Object, `1A03:05`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1153.
 #[doc(alias = "1A03")]
-pub const TXPDO4_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x05);
+pub const TXPDO4_MAPPED_OBJECT_5: Object<u32, Rw, Unmapped, Raw> = object(0x1A03, 0x05);
 
 /// 6th TxPDO4 Mapped Object, `1A03:06`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1154.
 #[doc(alias = "1A03")]
-pub const TXPDO4_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x06);
+pub const TXPDO4_MAPPED_OBJECT_6: Object<u32, Rw, Unmapped, Raw> = object(0x1A03, 0x06);
 
 /// 7th TxPDO4 Mapped Object, `1A03:07`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1155.
 #[doc(alias = "1A03")]
-pub const TXPDO4_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x07);
+pub const TXPDO4_MAPPED_OBJECT_7: Object<u32, Rw, Unmapped, Raw> = object(0x1A03, 0x07);
 
 /// 8th TxPDO4 Mapped Object, `1A03:08`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1156.
 #[doc(alias = "1A03")]
-pub const TXPDO4_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x08);
+pub const TXPDO4_MAPPED_OBJECT_8: Object<u32, Rw, Unmapped, Raw> = object(0x1A03, 0x08);
 
 /// 9th TxPDO4 Mapped Object, `1A03:09`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1157.
 #[doc(alias = "1A03")]
-pub const TXPDO4_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x09);
+pub const TXPDO4_MAPPED_OBJECT_9: Object<u32, Rw, Unmapped, Raw> = object(0x1A03, 0x09);
 
 /// 10th TxPDO4 Mapped Object, `1A03:0A`: UNSIGNED32, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1158.
 #[doc(alias = "1A03")]
-pub const TXPDO4_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(0x1A03, 0x0A);
+pub const TXPDO4_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = object(0x1A03, 0x0A);
 
 // 1C00h Sync manager communication type
 
@@ -760,35 +752,35 @@ pub const TXPDO4_MAPPED_OBJECT_10: Object<u32, Rw, Unmapped, Raw> = Object::new(
 /// Default 4.
 /// Manual: 6.1 T6-1 L1159.
 #[doc(alias = "1C00")]
-pub const SYNC_MANAGER_TYPE: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C00, 0x00);
+pub const SYNC_MANAGER_TYPE: Object<u8, Ro, Unmapped, Raw> = object(0x1C00, 0x00);
 
 /// Sync manager 0, `1C00:01`: UNSIGNED8, ro, not mapped.
 ///
 /// Default 1.
 /// Manual: 6.1 T6-1 L1160.
 #[doc(alias = "1C00")]
-pub const SYNC_MANAGER_0: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C00, 0x01);
+pub const SYNC_MANAGER_0: Object<u8, Ro, Unmapped, Raw> = object(0x1C00, 0x01);
 
 /// Sync manager 1, `1C00:02`: UNSIGNED8, ro, not mapped.
 ///
 /// Default 2.
 /// Manual: 6.1 T6-1 L1161.
 #[doc(alias = "1C00")]
-pub const SYNC_MANAGER_1: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C00, 0x02);
+pub const SYNC_MANAGER_1: Object<u8, Ro, Unmapped, Raw> = object(0x1C00, 0x02);
 
 /// Sync manager 2, `1C00:03`: UNSIGNED8, ro, not mapped.
 ///
 /// Default 3.
 /// Manual: 6.1 T6-1 L1162.
 #[doc(alias = "1C00")]
-pub const SYNC_MANAGER_2: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C00, 0x03);
+pub const SYNC_MANAGER_2: Object<u8, Ro, Unmapped, Raw> = object(0x1C00, 0x03);
 
 /// Sync manager 3, `1C00:04`: UNSIGNED8, ro, not mapped.
 ///
 /// Default 4.
 /// Manual: 6.1 T6-1 L1163.
 #[doc(alias = "1C00")]
-pub const SYNC_MANAGER_3: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C00, 0x04);
+pub const SYNC_MANAGER_3: Object<u8, Ro, Unmapped, Raw> = object(0x1C00, 0x04);
 
 // 1C12h Sync manager 2 PDO assignment
 
@@ -799,8 +791,7 @@ pub const SYNC_MANAGER_3: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C00, 0x
 ///
 /// Erratum E005, max: printed 4. 3.4 says that one RxPDO can be assigned. Kept; a master should write 0 or 1.
 #[doc(alias = "1C12")]
-pub const SYNC_MANAGER_RXPDO_ASSIGN: Object<u8, Rw, Unmapped, Raw> =
-    Object::new(0x1C12, 0x00).range(0, 4);
+pub const SYNC_MANAGER_RXPDO_ASSIGN: Object<u8, Rw, Unmapped, Raw> = ranged(0x1C12, 0x00, 0, 4);
 
 /// Index of Assigned RxPDO1, `1C12:01`: UNSIGNED16, rw, not mapped.
 ///
@@ -808,7 +799,7 @@ pub const SYNC_MANAGER_RXPDO_ASSIGN: Object<u8, Rw, Unmapped, Raw> =
 /// Manual: 6.1 T6-1 L1165.
 #[doc(alias = "1C12")]
 pub const INDEX_OF_ASSIGNED_RXPDO1: Object<u16, Rw, Unmapped, Raw> =
-    Object::new(0x1C12, 0x01).range(0x1600, 0x1603);
+    ranged(0x1C12, 0x01, 0x1600, 0x1603);
 
 /// Index of Assigned RxPDO2, `1C12:02`: UNSIGNED16, rw, not mapped.
 ///
@@ -817,7 +808,7 @@ pub const INDEX_OF_ASSIGNED_RXPDO1: Object<u16, Rw, Unmapped, Raw> =
 /// Manual: 6.1 T6-1 L1165 L1166.
 #[doc(alias = "1C12")]
 pub const INDEX_OF_ASSIGNED_RXPDO2: Object<u16, Rw, Unmapped, Raw> =
-    Object::new(0x1C12, 0x02).range(0x1600, 0x1603);
+    ranged(0x1C12, 0x02, 0x1600, 0x1603);
 
 /// Index of Assigned RxPDO3, `1C12:03`: UNSIGNED16, rw, not mapped.
 ///
@@ -826,7 +817,7 @@ pub const INDEX_OF_ASSIGNED_RXPDO2: Object<u16, Rw, Unmapped, Raw> =
 /// Manual: 6.1 T6-1 L1165 L1167.
 #[doc(alias = "1C12")]
 pub const INDEX_OF_ASSIGNED_RXPDO3: Object<u16, Rw, Unmapped, Raw> =
-    Object::new(0x1C12, 0x03).range(0x1600, 0x1603);
+    ranged(0x1C12, 0x03, 0x1600, 0x1603);
 
 /// Index of Assigned RxPDO4, `1C12:04`: UNSIGNED16, rw, not mapped.
 ///
@@ -835,7 +826,7 @@ pub const INDEX_OF_ASSIGNED_RXPDO3: Object<u16, Rw, Unmapped, Raw> =
 /// Manual: 6.1 T6-1 L1165 L1168.
 #[doc(alias = "1C12")]
 pub const INDEX_OF_ASSIGNED_RXPDO4: Object<u16, Rw, Unmapped, Raw> =
-    Object::new(0x1C12, 0x04).range(0x1600, 0x1603);
+    ranged(0x1C12, 0x04, 0x1600, 0x1603);
 
 // 1C13h Sync manager 3 PDO assignment
 
@@ -846,8 +837,7 @@ pub const INDEX_OF_ASSIGNED_RXPDO4: Object<u16, Rw, Unmapped, Raw> =
 ///
 /// Erratum E006, max: printed 4. 3.4 says that one TxPDO can be assigned. Kept; a master should write 0 or 1.
 #[doc(alias = "1C13")]
-pub const SYNC_MANAGER_TXPDO_ASSIGN: Object<u8, Rw, Unmapped, Raw> =
-    Object::new(0x1C13, 0x00).range(0, 4);
+pub const SYNC_MANAGER_TXPDO_ASSIGN: Object<u8, Rw, Unmapped, Raw> = ranged(0x1C13, 0x00, 0, 4);
 
 /// Index of Assigned TxPDO1, `1C13:01`: UNSIGNED16, rw, not mapped.
 ///
@@ -855,7 +845,7 @@ pub const SYNC_MANAGER_TXPDO_ASSIGN: Object<u8, Rw, Unmapped, Raw> =
 /// Manual: 6.1 T6-1 L1170.
 #[doc(alias = "1C13")]
 pub const INDEX_OF_ASSIGNED_TXPDO1: Object<u16, Rw, Unmapped, Raw> =
-    Object::new(0x1C13, 0x01).range(0x1A00, 0x1A03);
+    ranged(0x1C13, 0x01, 0x1A00, 0x1A03);
 
 /// Index of Assigned TxPDO2, `1C13:02`: UNSIGNED16, rw, not mapped.
 ///
@@ -864,7 +854,7 @@ pub const INDEX_OF_ASSIGNED_TXPDO1: Object<u16, Rw, Unmapped, Raw> =
 /// Manual: 6.1 T6-1 L1170 L1171.
 #[doc(alias = "1C13")]
 pub const INDEX_OF_ASSIGNED_TXPDO2: Object<u16, Rw, Unmapped, Raw> =
-    Object::new(0x1C13, 0x02).range(0x1A00, 0x1A03);
+    ranged(0x1C13, 0x02, 0x1A00, 0x1A03);
 
 /// Index of Assigned TxPDO3, `1C13:03`: UNSIGNED16, rw, not mapped.
 ///
@@ -873,7 +863,7 @@ pub const INDEX_OF_ASSIGNED_TXPDO2: Object<u16, Rw, Unmapped, Raw> =
 /// Manual: 6.1 T6-1 L1170 L1172.
 #[doc(alias = "1C13")]
 pub const INDEX_OF_ASSIGNED_TXPDO3: Object<u16, Rw, Unmapped, Raw> =
-    Object::new(0x1C13, 0x03).range(0x1A00, 0x1A03);
+    ranged(0x1C13, 0x03, 0x1A00, 0x1A03);
 
 /// Index of Assigned TxPDO4, `1C13:04`: UNSIGNED16, rw, not mapped.
 ///
@@ -882,7 +872,7 @@ pub const INDEX_OF_ASSIGNED_TXPDO3: Object<u16, Rw, Unmapped, Raw> =
 /// Manual: 6.1 T6-1 L1170 L1173.
 #[doc(alias = "1C13")]
 pub const INDEX_OF_ASSIGNED_TXPDO4: Object<u16, Rw, Unmapped, Raw> =
-    Object::new(0x1C13, 0x04).range(0x1A00, 0x1A03);
+    ranged(0x1C13, 0x04, 0x1A00, 0x1A03);
 
 // 1C32h Sync manager 2 synchronization
 
@@ -894,7 +884,7 @@ pub const INDEX_OF_ASSIGNED_TXPDO4: Object<u16, Rw, Unmapped, Raw> =
 ///
 /// Erratum E062, default: printed 32. The highest sub-index, not the number of entries: 11 to 31 are not printed. Sub-indexes are decimal in these tables, so that 32 is 20h. Kept.
 #[doc(alias = "1C32")]
-pub const SM_OUTPUT_PARAMETER: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C32, 0x00);
+pub const SM_OUTPUT_PARAMETER: Object<u8, Ro, Unmapped, Raw> = object(0x1C32, 0x00);
 
 /// Synchronization Type, `1C32:01`: UNSIGNED16, ro, not mapped.
 ///
@@ -902,8 +892,7 @@ pub const SM_OUTPUT_PARAMETER: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C3
 /// Default 2.
 /// Manual: 6.1 T6-1 L1177, 3.5 L237.
 #[doc(alias = "1C32")]
-pub const SM_OUTPUT_SYNCHRONIZATION_TYPE: Object<u16, Ro, Unmapped, Raw> =
-    Object::new(0x1C32, 0x01);
+pub const SM_OUTPUT_SYNCHRONIZATION_TYPE: Object<u16, Ro, Unmapped, Raw> = object(0x1C32, 0x01);
 
 /// Cycle Time, `1C32:02`: UNSIGNED32, rw, not mapped.
 ///
@@ -914,7 +903,7 @@ pub const SM_OUTPUT_SYNCHRONIZATION_TYPE: Object<u16, Ro, Unmapped, Raw> =
 /// Erratum E063, min: printed 250000. In free run mode, the one in which the object is written, 3.5.2 allows 1 ms to 10 ms; 250 us is the limit of DC mode. Kept.
 #[doc(alias = "1C32")]
 pub const SM_OUTPUT_CYCLE_TIME: Object<u32, Rw, Unmapped, Time> =
-    Object::new(0x1C32, 0x02).range(250_000, 10_000_000).scale(1, 1_000_000_000);
+    ranged_scaled(0x1C32, 0x02, 250_000, 10_000_000, 1, 1_000_000_000);
 
 /// Shift Time, `1C32:03`: UNSIGNED32, ro, not mapped.
 ///
@@ -922,7 +911,7 @@ pub const SM_OUTPUT_CYCLE_TIME: Object<u32, Rw, Unmapped, Time> =
 /// Manual: 6.1 T6-1 L1179.
 #[doc(alias = "1C32")]
 pub const SM_OUTPUT_SHIFT_TIME: Object<u32, Ro, Unmapped, Time> =
-    Object::new(0x1C32, 0x03).scale(1, 1_000_000_000);
+    scaled(0x1C32, 0x03, 1, 1_000_000_000);
 
 /// Synchronization Types supported, `1C32:04`: UNSIGNED16, ro, not mapped.
 ///
@@ -930,7 +919,7 @@ pub const SM_OUTPUT_SHIFT_TIME: Object<u32, Ro, Unmapped, Time> =
 /// Manual: 6.1 T6-1 L1180.
 #[doc(alias = "1C32")]
 pub const SM_OUTPUT_SYNCHRONIZATION_TYPES_SUPPORTED: Object<u16, Ro, Unmapped, Raw> =
-    Object::new(0x1C32, 0x04);
+    object(0x1C32, 0x04);
 
 /// Minimum Cycle Time, `1C32:05`: UNSIGNED32, ro, not mapped.
 ///
@@ -940,7 +929,7 @@ pub const SM_OUTPUT_SYNCHRONIZATION_TYPES_SUPPORTED: Object<u16, Ro, Unmapped, R
 /// Erratum E064, default: printed 0. The least cycle that the drive allows is 250 us. 0 may mean that it is not stated. Kept.
 #[doc(alias = "1C32")]
 pub const SM_OUTPUT_MINIMUM_CYCLE_TIME: Object<u32, Ro, Unmapped, Time> =
-    Object::new(0x1C32, 0x05).scale(1, 1_000_000_000);
+    scaled(0x1C32, 0x05, 1, 1_000_000_000);
 
 /// Calc and Copy Time, `1C32:06`: UNSIGNED32, ro, not mapped.
 ///
@@ -948,7 +937,7 @@ pub const SM_OUTPUT_MINIMUM_CYCLE_TIME: Object<u32, Ro, Unmapped, Time> =
 /// Manual: 6.1 T6-1 L1182.
 #[doc(alias = "1C32")]
 pub const SM_OUTPUT_CALC_AND_COPY_TIME: Object<u32, Ro, Unmapped, Time> =
-    Object::new(0x1C32, 0x06).scale(1, 1_000_000_000);
+    scaled(0x1C32, 0x06, 1, 1_000_000_000);
 
 /// Minimum Delay Time, `1C32:07`: UNSIGNED32, ro, not mapped.
 ///
@@ -956,14 +945,14 @@ pub const SM_OUTPUT_CALC_AND_COPY_TIME: Object<u32, Ro, Unmapped, Time> =
 /// Manual: 6.1 T6-1 L1183.
 #[doc(alias = "1C32")]
 pub const SM_OUTPUT_MINIMUM_DELAY_TIME: Object<u32, Ro, Unmapped, Time> =
-    Object::new(0x1C32, 0x07).scale(1, 1_000_000_000);
+    scaled(0x1C32, 0x07, 1, 1_000_000_000);
 
 /// Get Cycle Time, `1C32:08`: UNSIGNED16, ro, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1184.
 #[doc(alias = "1C32")]
-pub const SM_OUTPUT_GET_CYCLE_TIME: Object<u16, Ro, Unmapped, Raw> = Object::new(0x1C32, 0x08);
+pub const SM_OUTPUT_GET_CYCLE_TIME: Object<u16, Ro, Unmapped, Raw> = object(0x1C32, 0x08);
 
 /// Delay Time, `1C32:09`: UNSIGNED32, ro, not mapped.
 ///
@@ -971,7 +960,7 @@ pub const SM_OUTPUT_GET_CYCLE_TIME: Object<u16, Ro, Unmapped, Raw> = Object::new
 /// Manual: 6.1 T6-1 L1185.
 #[doc(alias = "1C32")]
 pub const SM_OUTPUT_DELAY_TIME: Object<u32, Ro, Unmapped, Time> =
-    Object::new(0x1C32, 0x09).scale(1, 1_000_000_000);
+    scaled(0x1C32, 0x09, 1, 1_000_000_000);
 
 /// Sync0 Cycle Time, `1C32:0A`: UNSIGNED32, ro, not mapped.
 ///
@@ -980,14 +969,14 @@ pub const SM_OUTPUT_DELAY_TIME: Object<u32, Ro, Unmapped, Time> =
 /// Manual: 6.1 T6-1 L1186, 3.5.1 L245.
 #[doc(alias = "1C32")]
 pub const SM_OUTPUT_SYNC0_CYCLE_TIME: Object<u32, Ro, Unmapped, Time> =
-    Object::new(0x1C32, 0x0A).scale(1, 1_000_000_000);
+    scaled(0x1C32, 0x0A, 1, 1_000_000_000);
 
 /// Sync Error, `1C32:20`: BOOLEAN, ro, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1187.
 #[doc(alias = "1C32")]
-pub const SM_OUTPUT_SYNC_ERROR: Object<bool, Ro, Unmapped, Raw> = Object::new(0x1C32, 0x20);
+pub const SM_OUTPUT_SYNC_ERROR: Object<bool, Ro, Unmapped, Raw> = object(0x1C32, 0x20);
 
 // 1C33h Sync manager 3 synchronization
 
@@ -1001,14 +990,14 @@ pub const SM_OUTPUT_SYNC_ERROR: Object<bool, Ro, Unmapped, Raw> = Object::new(0x
 ///
 /// Erratum E024, access: printed "ro", kept. The row is shifted by one cell to the right in the text extract: RO stands under the PDO map, and the default is lost. In the rows below only the sub-index is out of place (L1189 to L1199). Its neighbour has 32.
 #[doc(alias = "1C33")]
-pub const SM_INPUT_PARAMETER: Object<u8, Ro, Unmapped, Raw> = Object::new(0x1C33, 0x00);
+pub const SM_INPUT_PARAMETER: Object<u8, Ro, Unmapped, Raw> = object(0x1C33, 0x00);
 
 /// Synchronization Type, `1C33:01`: UNSIGNED16, ro, not mapped.
 ///
 /// Default 2.
 /// Manual: 6.1 T6-1 L1189.
 #[doc(alias = "1C33")]
-pub const SM_INPUT_SYNCHRONIZATION_TYPE: Object<u16, Ro, Unmapped, Raw> = Object::new(0x1C33, 0x01);
+pub const SM_INPUT_SYNCHRONIZATION_TYPE: Object<u16, Ro, Unmapped, Raw> = object(0x1C33, 0x01);
 
 /// Cycle Time, `1C33:02`: UNSIGNED32, rw, not mapped.
 ///
@@ -1018,7 +1007,7 @@ pub const SM_INPUT_SYNCHRONIZATION_TYPE: Object<u16, Ro, Unmapped, Raw> = Object
 /// Erratum E065, min: printed 250000. As for E063; and 3.5.2 sets the cycle in 1C32h alone. What writing it here does is not said. Kept.
 #[doc(alias = "1C33")]
 pub const SM_INPUT_CYCLE_TIME: Object<u32, Rw, Unmapped, Time> =
-    Object::new(0x1C33, 0x02).range(250_000, 10_000_000).scale(1, 1_000_000_000);
+    ranged_scaled(0x1C33, 0x02, 250_000, 10_000_000, 1, 1_000_000_000);
 
 /// Shift Time, `1C33:03`: UNSIGNED32, rw, not mapped.
 ///
@@ -1029,7 +1018,7 @@ pub const SM_INPUT_CYCLE_TIME: Object<u32, Rw, Unmapped, Time> =
 /// Erratum E066, default: printed 0. P4.09 sets the same time. 2.4 counts it from 26000, so that its default of 0 would give 26000, which is no multiple of 62500; 3.5.1 has 62500 times the parameter and no 26000. Kept.
 #[doc(alias = "1C33")]
 pub const SM_INPUT_SHIFT_TIME: Object<u32, Rw, Unmapped, Time> =
-    Object::new(0x1C33, 0x03).scale(1, 1_000_000_000);
+    scaled(0x1C33, 0x03, 1, 1_000_000_000);
 
 /// Synchronization Types supported, `1C33:04`: UNSIGNED16, ro, not mapped.
 ///
@@ -1037,7 +1026,7 @@ pub const SM_INPUT_SHIFT_TIME: Object<u32, Rw, Unmapped, Time> =
 /// Manual: 6.1 T6-1 L1192.
 #[doc(alias = "1C33")]
 pub const SM_INPUT_SYNCHRONIZATION_TYPES_SUPPORTED: Object<u16, Ro, Unmapped, Raw> =
-    Object::new(0x1C33, 0x04);
+    object(0x1C33, 0x04);
 
 /// Minimum Cycle Time, `1C33:05`: UNSIGNED32, ro, not mapped.
 ///
@@ -1047,7 +1036,7 @@ pub const SM_INPUT_SYNCHRONIZATION_TYPES_SUPPORTED: Object<u16, Ro, Unmapped, Ra
 /// Erratum E067, default: printed 0, kept. As for E064.
 #[doc(alias = "1C33")]
 pub const SM_INPUT_MINIMUM_CYCLE_TIME: Object<u32, Ro, Unmapped, Time> =
-    Object::new(0x1C33, 0x05).scale(1, 1_000_000_000);
+    scaled(0x1C33, 0x05, 1, 1_000_000_000);
 
 /// Calc and Copy Time, `1C33:06`: UNSIGNED32, ro, not mapped.
 ///
@@ -1055,7 +1044,7 @@ pub const SM_INPUT_MINIMUM_CYCLE_TIME: Object<u32, Ro, Unmapped, Time> =
 /// Manual: 6.1 T6-1 L1194.
 #[doc(alias = "1C33")]
 pub const SM_INPUT_CALC_AND_COPY_TIME: Object<u32, Ro, Unmapped, Time> =
-    Object::new(0x1C33, 0x06).scale(1, 1_000_000_000);
+    scaled(0x1C33, 0x06, 1, 1_000_000_000);
 
 /// Minimum Delay Time, `1C33:07`: UNSIGNED32, ro, not mapped.
 ///
@@ -1063,14 +1052,14 @@ pub const SM_INPUT_CALC_AND_COPY_TIME: Object<u32, Ro, Unmapped, Time> =
 /// Manual: 6.1 T6-1 L1195.
 #[doc(alias = "1C33")]
 pub const SM_INPUT_MINIMUM_DELAY_TIME: Object<u32, Ro, Unmapped, Time> =
-    Object::new(0x1C33, 0x07).scale(1, 1_000_000_000);
+    scaled(0x1C33, 0x07, 1, 1_000_000_000);
 
 /// Get Cycle Time, `1C33:08`: UNSIGNED16, ro, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1196.
 #[doc(alias = "1C33")]
-pub const SM_INPUT_GET_CYCLE_TIME: Object<u16, Ro, Unmapped, Raw> = Object::new(0x1C33, 0x08);
+pub const SM_INPUT_GET_CYCLE_TIME: Object<u16, Ro, Unmapped, Raw> = object(0x1C33, 0x08);
 
 /// Delay Time, `1C33:09`: UNSIGNED32, ro, not mapped.
 ///
@@ -1078,7 +1067,7 @@ pub const SM_INPUT_GET_CYCLE_TIME: Object<u16, Ro, Unmapped, Raw> = Object::new(
 /// Manual: 6.1 T6-1 L1197.
 #[doc(alias = "1C33")]
 pub const SM_INPUT_DELAY_TIME: Object<u32, Ro, Unmapped, Time> =
-    Object::new(0x1C33, 0x09).scale(1, 1_000_000_000);
+    scaled(0x1C33, 0x09, 1, 1_000_000_000);
 
 /// Sync0 Cycle Time, `1C33:0A`: UNSIGNED32, ro, not mapped.
 ///
@@ -1086,14 +1075,14 @@ pub const SM_INPUT_DELAY_TIME: Object<u32, Ro, Unmapped, Time> =
 /// Manual: 6.1 T6-1 L1198.
 #[doc(alias = "1C33")]
 pub const SM_INPUT_SYNC0_CYCLE_TIME: Object<u32, Ro, Unmapped, Time> =
-    Object::new(0x1C33, 0x0A).scale(1, 1_000_000_000);
+    scaled(0x1C33, 0x0A, 1, 1_000_000_000);
 
 /// Sync Error, `1C33:20`: BOOLEAN, ro, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.1 T6-1 L1199.
 #[doc(alias = "1C33")]
-pub const SM_INPUT_SYNC_ERROR: Object<bool, Ro, Unmapped, Raw> = Object::new(0x1C33, 0x20);
+pub const SM_INPUT_SYNC_ERROR: Object<bool, Ro, Unmapped, Raw> = object(0x1C33, 0x20);
 
 // 3000h Number of Servo Para Group1
 
@@ -1103,7 +1092,7 @@ pub const SM_INPUT_SYNC_ERROR: Object<bool, Ro, Unmapped, Raw> = Object::new(0x1
 /// Default 99.
 /// Manual: 6.3 T6-3 L1270.
 #[doc(alias = "3000")]
-pub const NUMBER_OF_SERVO_PARA_GROUP1: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3000, 0x00);
+pub const NUMBER_OF_SERVO_PARA_GROUP1: Object<u8, Ro, Unmapped, Raw> = object(0x3000, 0x00);
 
 /// Servo mode, `3000:01`: INTEGER32, rw, not mapped.
 ///
@@ -1114,7 +1103,7 @@ pub const NUMBER_OF_SERVO_PARA_GROUP1: Object<u8, Ro, Unmapped, Raw> = Object::n
 /// Manual, the type, access and mapping: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
 #[doc(alias = "P1.01")]
-pub const SERVO_MODE: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x01).range(0, 9);
+pub const SERVO_MODE: Object<i32, Rw, Unmapped, Raw> = ranged(0x3000, 0x01, 0, 9);
 
 /// Servo Parameter Group 1, `3000:02`: INTEGER32, rw, not mapped.
 ///
@@ -1122,7 +1111,7 @@ pub const SERVO_MODE: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x01)
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x02);
+pub const SERVO_PARAMETER_GROUP_1_2: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x02);
 
 /// Servo Parameter Group 1, `3000:03`: INTEGER32, rw, not mapped.
 ///
@@ -1130,7 +1119,7 @@ pub const SERVO_PARAMETER_GROUP_1_2: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x03);
+pub const SERVO_PARAMETER_GROUP_1_3: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x03);
 
 /// Servo Parameter Group 1, `3000:04`: INTEGER32, rw, not mapped.
 ///
@@ -1138,7 +1127,7 @@ pub const SERVO_PARAMETER_GROUP_1_3: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_4: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x04);
+pub const SERVO_PARAMETER_GROUP_1_4: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x04);
 
 /// Servo Parameter Group 1, `3000:05`: INTEGER32, rw, not mapped.
 ///
@@ -1146,7 +1135,7 @@ pub const SERVO_PARAMETER_GROUP_1_4: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_5: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x05);
+pub const SERVO_PARAMETER_GROUP_1_5: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x05);
 
 /// Servo Parameter Group 1, `3000:06`: INTEGER32, rw, not mapped.
 ///
@@ -1154,7 +1143,7 @@ pub const SERVO_PARAMETER_GROUP_1_5: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_6: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x06);
+pub const SERVO_PARAMETER_GROUP_1_6: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x06);
 
 /// Servo Parameter Group 1, `3000:07`: INTEGER32, rw, not mapped.
 ///
@@ -1162,7 +1151,7 @@ pub const SERVO_PARAMETER_GROUP_1_6: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_7: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x07);
+pub const SERVO_PARAMETER_GROUP_1_7: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x07);
 
 /// Servo Parameter Group 1, `3000:08`: INTEGER32, rw, not mapped.
 ///
@@ -1170,7 +1159,7 @@ pub const SERVO_PARAMETER_GROUP_1_7: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_8: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x08);
+pub const SERVO_PARAMETER_GROUP_1_8: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x08);
 
 /// Servo Parameter Group 1, `3000:09`: INTEGER32, rw, not mapped.
 ///
@@ -1178,7 +1167,7 @@ pub const SERVO_PARAMETER_GROUP_1_8: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_9: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x09);
+pub const SERVO_PARAMETER_GROUP_1_9: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x09);
 
 /// Servo Parameter Group 1, `3000:0A`: INTEGER32, rw, not mapped.
 ///
@@ -1186,7 +1175,7 @@ pub const SERVO_PARAMETER_GROUP_1_9: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_10: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x0A);
+pub const SERVO_PARAMETER_GROUP_1_10: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x0A);
 
 /// Servo Parameter Group 1, `3000:0B`: INTEGER32, rw, not mapped.
 ///
@@ -1194,7 +1183,7 @@ pub const SERVO_PARAMETER_GROUP_1_10: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_11: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x0B);
+pub const SERVO_PARAMETER_GROUP_1_11: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x0B);
 
 /// Servo Parameter Group 1, `3000:0C`: INTEGER32, rw, not mapped.
 ///
@@ -1202,7 +1191,7 @@ pub const SERVO_PARAMETER_GROUP_1_11: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_12: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x0C);
+pub const SERVO_PARAMETER_GROUP_1_12: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x0C);
 
 /// Servo Parameter Group 1, `3000:0D`: INTEGER32, rw, not mapped.
 ///
@@ -1210,7 +1199,7 @@ pub const SERVO_PARAMETER_GROUP_1_12: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_13: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x0D);
+pub const SERVO_PARAMETER_GROUP_1_13: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x0D);
 
 /// Servo Parameter Group 1, `3000:0E`: INTEGER32, rw, not mapped.
 ///
@@ -1218,7 +1207,7 @@ pub const SERVO_PARAMETER_GROUP_1_13: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_14: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x0E);
+pub const SERVO_PARAMETER_GROUP_1_14: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x0E);
 
 /// Servo Parameter Group 1, `3000:0F`: INTEGER32, rw, not mapped.
 ///
@@ -1226,7 +1215,7 @@ pub const SERVO_PARAMETER_GROUP_1_14: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_15: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x0F);
+pub const SERVO_PARAMETER_GROUP_1_15: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x0F);
 
 /// Servo Parameter Group 1, `3000:10`: INTEGER32, rw, not mapped.
 ///
@@ -1234,7 +1223,7 @@ pub const SERVO_PARAMETER_GROUP_1_15: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_16: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x10);
+pub const SERVO_PARAMETER_GROUP_1_16: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x10);
 
 /// Servo Parameter Group 1, `3000:11`: INTEGER32, rw, not mapped.
 ///
@@ -1242,7 +1231,7 @@ pub const SERVO_PARAMETER_GROUP_1_16: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_17: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x11);
+pub const SERVO_PARAMETER_GROUP_1_17: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x11);
 
 /// Servo Parameter Group 1, `3000:12`: INTEGER32, rw, not mapped.
 ///
@@ -1250,7 +1239,7 @@ pub const SERVO_PARAMETER_GROUP_1_17: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_18: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x12);
+pub const SERVO_PARAMETER_GROUP_1_18: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x12);
 
 /// Servo Parameter Group 1, `3000:13`: INTEGER32, rw, not mapped.
 ///
@@ -1258,7 +1247,7 @@ pub const SERVO_PARAMETER_GROUP_1_18: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_19: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x13);
+pub const SERVO_PARAMETER_GROUP_1_19: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x13);
 
 /// Servo Parameter Group 1, `3000:14`: INTEGER32, rw, not mapped.
 ///
@@ -1266,7 +1255,7 @@ pub const SERVO_PARAMETER_GROUP_1_19: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_20: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x14);
+pub const SERVO_PARAMETER_GROUP_1_20: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x14);
 
 /// Servo Parameter Group 1, `3000:15`: INTEGER32, rw, not mapped.
 ///
@@ -1274,7 +1263,7 @@ pub const SERVO_PARAMETER_GROUP_1_20: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_21: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x15);
+pub const SERVO_PARAMETER_GROUP_1_21: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x15);
 
 /// Servo Parameter Group 1, `3000:16`: INTEGER32, rw, not mapped.
 ///
@@ -1282,7 +1271,7 @@ pub const SERVO_PARAMETER_GROUP_1_21: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_22: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x16);
+pub const SERVO_PARAMETER_GROUP_1_22: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x16);
 
 /// Servo Parameter Group 1, `3000:17`: INTEGER32, rw, not mapped.
 ///
@@ -1290,7 +1279,7 @@ pub const SERVO_PARAMETER_GROUP_1_22: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_23: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x17);
+pub const SERVO_PARAMETER_GROUP_1_23: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x17);
 
 /// Servo Parameter Group 1, `3000:18`: INTEGER32, rw, not mapped.
 ///
@@ -1298,7 +1287,7 @@ pub const SERVO_PARAMETER_GROUP_1_23: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_24: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x18);
+pub const SERVO_PARAMETER_GROUP_1_24: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x18);
 
 /// Servo Parameter Group 1, `3000:19`: INTEGER32, rw, not mapped.
 ///
@@ -1306,7 +1295,7 @@ pub const SERVO_PARAMETER_GROUP_1_24: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_25: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x19);
+pub const SERVO_PARAMETER_GROUP_1_25: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x19);
 
 /// Servo Parameter Group 1, `3000:1A`: INTEGER32, rw, not mapped.
 ///
@@ -1314,7 +1303,7 @@ pub const SERVO_PARAMETER_GROUP_1_25: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_26: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x1A);
+pub const SERVO_PARAMETER_GROUP_1_26: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x1A);
 
 /// Servo Parameter Group 1, `3000:1B`: INTEGER32, rw, not mapped.
 ///
@@ -1322,7 +1311,7 @@ pub const SERVO_PARAMETER_GROUP_1_26: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_27: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x1B);
+pub const SERVO_PARAMETER_GROUP_1_27: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x1B);
 
 /// Servo Parameter Group 1, `3000:1C`: INTEGER32, rw, not mapped.
 ///
@@ -1330,7 +1319,7 @@ pub const SERVO_PARAMETER_GROUP_1_27: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_28: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x1C);
+pub const SERVO_PARAMETER_GROUP_1_28: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x1C);
 
 /// Servo Parameter Group 1, `3000:1D`: INTEGER32, rw, not mapped.
 ///
@@ -1338,7 +1327,7 @@ pub const SERVO_PARAMETER_GROUP_1_28: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_29: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x1D);
+pub const SERVO_PARAMETER_GROUP_1_29: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x1D);
 
 /// Servo Parameter Group 1, `3000:1E`: INTEGER32, rw, not mapped.
 ///
@@ -1346,7 +1335,7 @@ pub const SERVO_PARAMETER_GROUP_1_29: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_30: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x1E);
+pub const SERVO_PARAMETER_GROUP_1_30: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x1E);
 
 /// Servo Parameter Group 1, `3000:1F`: INTEGER32, rw, not mapped.
 ///
@@ -1354,7 +1343,7 @@ pub const SERVO_PARAMETER_GROUP_1_30: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_31: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x1F);
+pub const SERVO_PARAMETER_GROUP_1_31: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x1F);
 
 /// Servo Parameter Group 1, `3000:20`: INTEGER32, rw, not mapped.
 ///
@@ -1362,7 +1351,7 @@ pub const SERVO_PARAMETER_GROUP_1_31: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_32: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x20);
+pub const SERVO_PARAMETER_GROUP_1_32: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x20);
 
 /// Servo Parameter Group 1, `3000:21`: INTEGER32, rw, not mapped.
 ///
@@ -1370,7 +1359,7 @@ pub const SERVO_PARAMETER_GROUP_1_32: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_33: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x21);
+pub const SERVO_PARAMETER_GROUP_1_33: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x21);
 
 /// Servo Parameter Group 1, `3000:22`: INTEGER32, rw, not mapped.
 ///
@@ -1378,7 +1367,7 @@ pub const SERVO_PARAMETER_GROUP_1_33: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_34: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x22);
+pub const SERVO_PARAMETER_GROUP_1_34: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x22);
 
 /// Servo Parameter Group 1, `3000:23`: INTEGER32, rw, not mapped.
 ///
@@ -1386,7 +1375,7 @@ pub const SERVO_PARAMETER_GROUP_1_34: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_35: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x23);
+pub const SERVO_PARAMETER_GROUP_1_35: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x23);
 
 /// Servo Parameter Group 1, `3000:24`: INTEGER32, rw, not mapped.
 ///
@@ -1394,7 +1383,7 @@ pub const SERVO_PARAMETER_GROUP_1_35: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_36: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x24);
+pub const SERVO_PARAMETER_GROUP_1_36: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x24);
 
 /// Servo Parameter Group 1, `3000:25`: INTEGER32, rw, not mapped.
 ///
@@ -1402,7 +1391,7 @@ pub const SERVO_PARAMETER_GROUP_1_36: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_37: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x25);
+pub const SERVO_PARAMETER_GROUP_1_37: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x25);
 
 /// Servo Parameter Group 1, `3000:26`: INTEGER32, rw, not mapped.
 ///
@@ -1410,7 +1399,7 @@ pub const SERVO_PARAMETER_GROUP_1_37: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_38: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x26);
+pub const SERVO_PARAMETER_GROUP_1_38: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x26);
 
 /// Servo Parameter Group 1, `3000:27`: INTEGER32, rw, not mapped.
 ///
@@ -1418,7 +1407,7 @@ pub const SERVO_PARAMETER_GROUP_1_38: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_39: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x27);
+pub const SERVO_PARAMETER_GROUP_1_39: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x27);
 
 /// Servo Parameter Group 1, `3000:28`: INTEGER32, rw, not mapped.
 ///
@@ -1426,7 +1415,7 @@ pub const SERVO_PARAMETER_GROUP_1_39: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_40: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x28);
+pub const SERVO_PARAMETER_GROUP_1_40: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x28);
 
 /// Servo Parameter Group 1, `3000:29`: INTEGER32, rw, not mapped.
 ///
@@ -1434,7 +1423,7 @@ pub const SERVO_PARAMETER_GROUP_1_40: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_41: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x29);
+pub const SERVO_PARAMETER_GROUP_1_41: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x29);
 
 /// Servo Parameter Group 1, `3000:2A`: INTEGER32, rw, not mapped.
 ///
@@ -1442,7 +1431,7 @@ pub const SERVO_PARAMETER_GROUP_1_41: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_42: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x2A);
+pub const SERVO_PARAMETER_GROUP_1_42: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x2A);
 
 /// Servo Parameter Group 1, `3000:2B`: INTEGER32, rw, not mapped.
 ///
@@ -1450,7 +1439,7 @@ pub const SERVO_PARAMETER_GROUP_1_42: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_43: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x2B);
+pub const SERVO_PARAMETER_GROUP_1_43: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x2B);
 
 /// Servo Parameter Group 1, `3000:2C`: INTEGER32, rw, not mapped.
 ///
@@ -1458,7 +1447,7 @@ pub const SERVO_PARAMETER_GROUP_1_43: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_44: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x2C);
+pub const SERVO_PARAMETER_GROUP_1_44: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x2C);
 
 /// Servo Parameter Group 1, `3000:2D`: INTEGER32, rw, not mapped.
 ///
@@ -1466,7 +1455,7 @@ pub const SERVO_PARAMETER_GROUP_1_44: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_45: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x2D);
+pub const SERVO_PARAMETER_GROUP_1_45: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x2D);
 
 /// Servo Parameter Group 1, `3000:2E`: INTEGER32, rw, not mapped.
 ///
@@ -1474,7 +1463,7 @@ pub const SERVO_PARAMETER_GROUP_1_45: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_46: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x2E);
+pub const SERVO_PARAMETER_GROUP_1_46: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x2E);
 
 /// Servo Parameter Group 1, `3000:2F`: INTEGER32, rw, not mapped.
 ///
@@ -1482,7 +1471,7 @@ pub const SERVO_PARAMETER_GROUP_1_46: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_47: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x2F);
+pub const SERVO_PARAMETER_GROUP_1_47: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x2F);
 
 /// Servo Parameter Group 1, `3000:30`: INTEGER32, rw, not mapped.
 ///
@@ -1490,7 +1479,7 @@ pub const SERVO_PARAMETER_GROUP_1_47: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_48: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x30);
+pub const SERVO_PARAMETER_GROUP_1_48: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x30);
 
 /// Servo Parameter Group 1, `3000:31`: INTEGER32, rw, not mapped.
 ///
@@ -1498,7 +1487,7 @@ pub const SERVO_PARAMETER_GROUP_1_48: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_49: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x31);
+pub const SERVO_PARAMETER_GROUP_1_49: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x31);
 
 /// Servo Parameter Group 1, `3000:32`: INTEGER32, rw, not mapped.
 ///
@@ -1506,7 +1495,7 @@ pub const SERVO_PARAMETER_GROUP_1_49: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_50: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x32);
+pub const SERVO_PARAMETER_GROUP_1_50: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x32);
 
 /// Servo Parameter Group 1, `3000:33`: INTEGER32, rw, not mapped.
 ///
@@ -1514,7 +1503,7 @@ pub const SERVO_PARAMETER_GROUP_1_50: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_51: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x33);
+pub const SERVO_PARAMETER_GROUP_1_51: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x33);
 
 /// Servo Parameter Group 1, `3000:34`: INTEGER32, rw, not mapped.
 ///
@@ -1522,7 +1511,7 @@ pub const SERVO_PARAMETER_GROUP_1_51: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_52: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x34);
+pub const SERVO_PARAMETER_GROUP_1_52: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x34);
 
 /// Servo Parameter Group 1, `3000:35`: INTEGER32, rw, not mapped.
 ///
@@ -1530,7 +1519,7 @@ pub const SERVO_PARAMETER_GROUP_1_52: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_53: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x35);
+pub const SERVO_PARAMETER_GROUP_1_53: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x35);
 
 /// Servo Parameter Group 1, `3000:36`: INTEGER32, rw, not mapped.
 ///
@@ -1538,7 +1527,7 @@ pub const SERVO_PARAMETER_GROUP_1_53: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_54: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x36);
+pub const SERVO_PARAMETER_GROUP_1_54: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x36);
 
 /// Servo Parameter Group 1, `3000:37`: INTEGER32, rw, not mapped.
 ///
@@ -1546,7 +1535,7 @@ pub const SERVO_PARAMETER_GROUP_1_54: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_55: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x37);
+pub const SERVO_PARAMETER_GROUP_1_55: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x37);
 
 /// Servo Parameter Group 1, `3000:38`: INTEGER32, rw, not mapped.
 ///
@@ -1554,7 +1543,7 @@ pub const SERVO_PARAMETER_GROUP_1_55: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_56: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x38);
+pub const SERVO_PARAMETER_GROUP_1_56: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x38);
 
 /// Servo Parameter Group 1, `3000:39`: INTEGER32, rw, not mapped.
 ///
@@ -1562,7 +1551,7 @@ pub const SERVO_PARAMETER_GROUP_1_56: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_57: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x39);
+pub const SERVO_PARAMETER_GROUP_1_57: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x39);
 
 /// Servo Parameter Group 1, `3000:3A`: INTEGER32, rw, not mapped.
 ///
@@ -1570,7 +1559,7 @@ pub const SERVO_PARAMETER_GROUP_1_57: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_58: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x3A);
+pub const SERVO_PARAMETER_GROUP_1_58: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x3A);
 
 /// Servo Parameter Group 1, `3000:3B`: INTEGER32, rw, not mapped.
 ///
@@ -1578,7 +1567,7 @@ pub const SERVO_PARAMETER_GROUP_1_58: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_59: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x3B);
+pub const SERVO_PARAMETER_GROUP_1_59: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x3B);
 
 /// Servo Parameter Group 1, `3000:3C`: INTEGER32, rw, not mapped.
 ///
@@ -1586,7 +1575,7 @@ pub const SERVO_PARAMETER_GROUP_1_59: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_60: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x3C);
+pub const SERVO_PARAMETER_GROUP_1_60: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x3C);
 
 /// Servo Parameter Group 1, `3000:3D`: INTEGER32, rw, not mapped.
 ///
@@ -1594,7 +1583,7 @@ pub const SERVO_PARAMETER_GROUP_1_60: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_61: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x3D);
+pub const SERVO_PARAMETER_GROUP_1_61: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x3D);
 
 /// Servo Parameter Group 1, `3000:3E`: INTEGER32, rw, not mapped.
 ///
@@ -1602,7 +1591,7 @@ pub const SERVO_PARAMETER_GROUP_1_61: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_62: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x3E);
+pub const SERVO_PARAMETER_GROUP_1_62: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x3E);
 
 /// Servo Parameter Group 1, `3000:3F`: INTEGER32, rw, not mapped.
 ///
@@ -1610,7 +1599,7 @@ pub const SERVO_PARAMETER_GROUP_1_62: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_63: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x3F);
+pub const SERVO_PARAMETER_GROUP_1_63: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x3F);
 
 /// Servo Parameter Group 1, `3000:40`: INTEGER32, rw, not mapped.
 ///
@@ -1618,7 +1607,7 @@ pub const SERVO_PARAMETER_GROUP_1_63: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_64: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x40);
+pub const SERVO_PARAMETER_GROUP_1_64: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x40);
 
 /// Servo Parameter Group 1, `3000:41`: INTEGER32, rw, not mapped.
 ///
@@ -1626,7 +1615,7 @@ pub const SERVO_PARAMETER_GROUP_1_64: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_65: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x41);
+pub const SERVO_PARAMETER_GROUP_1_65: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x41);
 
 /// Servo Parameter Group 1, `3000:42`: INTEGER32, rw, not mapped.
 ///
@@ -1634,7 +1623,7 @@ pub const SERVO_PARAMETER_GROUP_1_65: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_66: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x42);
+pub const SERVO_PARAMETER_GROUP_1_66: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x42);
 
 /// Servo Parameter Group 1, `3000:43`: INTEGER32, rw, not mapped.
 ///
@@ -1642,7 +1631,7 @@ pub const SERVO_PARAMETER_GROUP_1_66: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_67: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x43);
+pub const SERVO_PARAMETER_GROUP_1_67: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x43);
 
 /// Servo Parameter Group 1, `3000:44`: INTEGER32, rw, not mapped.
 ///
@@ -1650,7 +1639,7 @@ pub const SERVO_PARAMETER_GROUP_1_67: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_68: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x44);
+pub const SERVO_PARAMETER_GROUP_1_68: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x44);
 
 /// Servo Parameter Group 1, `3000:45`: INTEGER32, rw, not mapped.
 ///
@@ -1658,7 +1647,7 @@ pub const SERVO_PARAMETER_GROUP_1_68: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_69: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x45);
+pub const SERVO_PARAMETER_GROUP_1_69: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x45);
 
 /// Servo Parameter Group 1, `3000:46`: INTEGER32, rw, not mapped.
 ///
@@ -1666,7 +1655,7 @@ pub const SERVO_PARAMETER_GROUP_1_69: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_70: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x46);
+pub const SERVO_PARAMETER_GROUP_1_70: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x46);
 
 /// Servo Parameter Group 1, `3000:47`: INTEGER32, rw, not mapped.
 ///
@@ -1674,7 +1663,7 @@ pub const SERVO_PARAMETER_GROUP_1_70: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_71: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x47);
+pub const SERVO_PARAMETER_GROUP_1_71: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x47);
 
 /// Servo Parameter Group 1, `3000:48`: INTEGER32, rw, not mapped.
 ///
@@ -1682,7 +1671,7 @@ pub const SERVO_PARAMETER_GROUP_1_71: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_72: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x48);
+pub const SERVO_PARAMETER_GROUP_1_72: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x48);
 
 /// Servo Parameter Group 1, `3000:49`: INTEGER32, rw, not mapped.
 ///
@@ -1690,7 +1679,7 @@ pub const SERVO_PARAMETER_GROUP_1_72: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_73: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x49);
+pub const SERVO_PARAMETER_GROUP_1_73: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x49);
 
 /// Servo Parameter Group 1, `3000:4A`: INTEGER32, rw, not mapped.
 ///
@@ -1698,7 +1687,7 @@ pub const SERVO_PARAMETER_GROUP_1_73: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_74: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x4A);
+pub const SERVO_PARAMETER_GROUP_1_74: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x4A);
 
 /// Servo Parameter Group 1, `3000:4B`: INTEGER32, rw, not mapped.
 ///
@@ -1706,7 +1695,7 @@ pub const SERVO_PARAMETER_GROUP_1_74: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_75: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x4B);
+pub const SERVO_PARAMETER_GROUP_1_75: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x4B);
 
 /// Servo Parameter Group 1, `3000:4C`: INTEGER32, rw, not mapped.
 ///
@@ -1714,7 +1703,7 @@ pub const SERVO_PARAMETER_GROUP_1_75: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_76: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x4C);
+pub const SERVO_PARAMETER_GROUP_1_76: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x4C);
 
 /// Servo Parameter Group 1, `3000:4D`: INTEGER32, rw, not mapped.
 ///
@@ -1722,7 +1711,7 @@ pub const SERVO_PARAMETER_GROUP_1_76: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_77: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x4D);
+pub const SERVO_PARAMETER_GROUP_1_77: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x4D);
 
 /// Servo Parameter Group 1, `3000:4E`: INTEGER32, rw, not mapped.
 ///
@@ -1730,7 +1719,7 @@ pub const SERVO_PARAMETER_GROUP_1_77: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_78: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x4E);
+pub const SERVO_PARAMETER_GROUP_1_78: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x4E);
 
 /// Servo Parameter Group 1, `3000:4F`: INTEGER32, rw, not mapped.
 ///
@@ -1738,7 +1727,7 @@ pub const SERVO_PARAMETER_GROUP_1_78: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_79: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x4F);
+pub const SERVO_PARAMETER_GROUP_1_79: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x4F);
 
 /// Servo Parameter Group 1, `3000:50`: INTEGER32, rw, not mapped.
 ///
@@ -1746,7 +1735,7 @@ pub const SERVO_PARAMETER_GROUP_1_79: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_80: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x50);
+pub const SERVO_PARAMETER_GROUP_1_80: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x50);
 
 /// Servo Parameter Group 1, `3000:51`: INTEGER32, rw, not mapped.
 ///
@@ -1754,7 +1743,7 @@ pub const SERVO_PARAMETER_GROUP_1_80: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_81: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x51);
+pub const SERVO_PARAMETER_GROUP_1_81: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x51);
 
 /// Servo Parameter Group 1, `3000:52`: INTEGER32, rw, not mapped.
 ///
@@ -1762,7 +1751,7 @@ pub const SERVO_PARAMETER_GROUP_1_81: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_82: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x52);
+pub const SERVO_PARAMETER_GROUP_1_82: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x52);
 
 /// Servo Parameter Group 1, `3000:53`: INTEGER32, rw, not mapped.
 ///
@@ -1770,7 +1759,7 @@ pub const SERVO_PARAMETER_GROUP_1_82: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_83: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x53);
+pub const SERVO_PARAMETER_GROUP_1_83: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x53);
 
 /// Servo Parameter Group 1, `3000:54`: INTEGER32, rw, not mapped.
 ///
@@ -1778,7 +1767,7 @@ pub const SERVO_PARAMETER_GROUP_1_83: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_84: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x54);
+pub const SERVO_PARAMETER_GROUP_1_84: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x54);
 
 /// Servo Parameter Group 1, `3000:55`: INTEGER32, rw, not mapped.
 ///
@@ -1786,7 +1775,7 @@ pub const SERVO_PARAMETER_GROUP_1_84: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_85: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x55);
+pub const SERVO_PARAMETER_GROUP_1_85: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x55);
 
 /// Servo Parameter Group 1, `3000:56`: INTEGER32, rw, not mapped.
 ///
@@ -1794,7 +1783,7 @@ pub const SERVO_PARAMETER_GROUP_1_85: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_86: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x56);
+pub const SERVO_PARAMETER_GROUP_1_86: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x56);
 
 /// Servo Parameter Group 1, `3000:57`: INTEGER32, rw, not mapped.
 ///
@@ -1802,7 +1791,7 @@ pub const SERVO_PARAMETER_GROUP_1_86: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_87: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x57);
+pub const SERVO_PARAMETER_GROUP_1_87: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x57);
 
 /// Servo Parameter Group 1, `3000:58`: INTEGER32, rw, not mapped.
 ///
@@ -1810,7 +1799,7 @@ pub const SERVO_PARAMETER_GROUP_1_87: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_88: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x58);
+pub const SERVO_PARAMETER_GROUP_1_88: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x58);
 
 /// Servo Parameter Group 1, `3000:59`: INTEGER32, rw, not mapped.
 ///
@@ -1818,7 +1807,7 @@ pub const SERVO_PARAMETER_GROUP_1_88: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_89: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x59);
+pub const SERVO_PARAMETER_GROUP_1_89: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x59);
 
 /// Servo Parameter Group 1, `3000:5A`: INTEGER32, rw, not mapped.
 ///
@@ -1826,7 +1815,7 @@ pub const SERVO_PARAMETER_GROUP_1_89: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_90: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x5A);
+pub const SERVO_PARAMETER_GROUP_1_90: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x5A);
 
 /// Servo Parameter Group 1, `3000:5B`: INTEGER32, rw, not mapped.
 ///
@@ -1834,7 +1823,7 @@ pub const SERVO_PARAMETER_GROUP_1_90: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_91: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x5B);
+pub const SERVO_PARAMETER_GROUP_1_91: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x5B);
 
 /// Servo Parameter Group 1, `3000:5C`: INTEGER32, rw, not mapped.
 ///
@@ -1842,7 +1831,7 @@ pub const SERVO_PARAMETER_GROUP_1_91: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_92: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x5C);
+pub const SERVO_PARAMETER_GROUP_1_92: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x5C);
 
 /// Servo Parameter Group 1, `3000:5D`: INTEGER32, rw, not mapped.
 ///
@@ -1850,7 +1839,7 @@ pub const SERVO_PARAMETER_GROUP_1_92: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_93: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x5D);
+pub const SERVO_PARAMETER_GROUP_1_93: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x5D);
 
 /// Servo Parameter Group 1, `3000:5E`: INTEGER32, rw, not mapped.
 ///
@@ -1858,7 +1847,7 @@ pub const SERVO_PARAMETER_GROUP_1_93: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_94: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x5E);
+pub const SERVO_PARAMETER_GROUP_1_94: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x5E);
 
 /// Servo Parameter Group 1, `3000:5F`: INTEGER32, rw, not mapped.
 ///
@@ -1866,7 +1855,7 @@ pub const SERVO_PARAMETER_GROUP_1_94: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_95: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x5F);
+pub const SERVO_PARAMETER_GROUP_1_95: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x5F);
 
 /// Servo Parameter Group 1, `3000:60`: INTEGER32, rw, not mapped.
 ///
@@ -1874,7 +1863,7 @@ pub const SERVO_PARAMETER_GROUP_1_95: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_96: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x60);
+pub const SERVO_PARAMETER_GROUP_1_96: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x60);
 
 /// Servo Parameter Group 1, `3000:61`: INTEGER32, rw, not mapped.
 ///
@@ -1882,7 +1871,7 @@ pub const SERVO_PARAMETER_GROUP_1_96: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_97: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x61);
+pub const SERVO_PARAMETER_GROUP_1_97: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x61);
 
 /// Servo Parameter Group 1, `3000:62`: INTEGER32, rw, not mapped.
 ///
@@ -1890,7 +1879,7 @@ pub const SERVO_PARAMETER_GROUP_1_97: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_98: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x62);
+pub const SERVO_PARAMETER_GROUP_1_98: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x62);
 
 /// Servo Parameter Group 1, `3000:63`: INTEGER32, rw, not mapped.
 ///
@@ -1898,7 +1887,7 @@ pub const SERVO_PARAMETER_GROUP_1_98: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1271, 6.3 L1343.
 #[doc(alias = "3000")]
-pub const SERVO_PARAMETER_GROUP_1_99: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x63);
+pub const SERVO_PARAMETER_GROUP_1_99: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x63);
 
 // 3001h Number of Servo Para Group2
 
@@ -1908,7 +1897,7 @@ pub const SERVO_PARAMETER_GROUP_1_99: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Default 99.
 /// Manual: 6.3 T6-3 L1272.
 #[doc(alias = "3001")]
-pub const NUMBER_OF_SERVO_PARA_GROUP2: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3001, 0x00);
+pub const NUMBER_OF_SERVO_PARA_GROUP2: Object<u8, Ro, Unmapped, Raw> = object(0x3001, 0x00);
 
 /// Servo Parameter Group 2, `3001:01`: INTEGER32, rw, not mapped.
 ///
@@ -1916,7 +1905,7 @@ pub const NUMBER_OF_SERVO_PARA_GROUP2: Object<u8, Ro, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x01);
+pub const SERVO_PARAMETER_GROUP_2_1: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x01);
 
 /// Servo Parameter Group 2, `3001:02`: INTEGER32, rw, not mapped.
 ///
@@ -1924,7 +1913,7 @@ pub const SERVO_PARAMETER_GROUP_2_1: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x02);
+pub const SERVO_PARAMETER_GROUP_2_2: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x02);
 
 /// Servo Parameter Group 2, `3001:03`: INTEGER32, rw, not mapped.
 ///
@@ -1932,7 +1921,7 @@ pub const SERVO_PARAMETER_GROUP_2_2: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x03);
+pub const SERVO_PARAMETER_GROUP_2_3: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x03);
 
 /// Servo Parameter Group 2, `3001:04`: INTEGER32, rw, not mapped.
 ///
@@ -1940,7 +1929,7 @@ pub const SERVO_PARAMETER_GROUP_2_3: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_4: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x04);
+pub const SERVO_PARAMETER_GROUP_2_4: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x04);
 
 /// Servo Parameter Group 2, `3001:05`: INTEGER32, rw, not mapped.
 ///
@@ -1948,7 +1937,7 @@ pub const SERVO_PARAMETER_GROUP_2_4: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_5: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x05);
+pub const SERVO_PARAMETER_GROUP_2_5: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x05);
 
 /// Servo Parameter Group 2, `3001:06`: INTEGER32, rw, not mapped.
 ///
@@ -1956,7 +1945,7 @@ pub const SERVO_PARAMETER_GROUP_2_5: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_6: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x06);
+pub const SERVO_PARAMETER_GROUP_2_6: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x06);
 
 /// Servo Parameter Group 2, `3001:07`: INTEGER32, rw, not mapped.
 ///
@@ -1964,7 +1953,7 @@ pub const SERVO_PARAMETER_GROUP_2_6: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_7: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x07);
+pub const SERVO_PARAMETER_GROUP_2_7: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x07);
 
 /// Servo Parameter Group 2, `3001:08`: INTEGER32, rw, not mapped.
 ///
@@ -1972,7 +1961,7 @@ pub const SERVO_PARAMETER_GROUP_2_7: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_8: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x08);
+pub const SERVO_PARAMETER_GROUP_2_8: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x08);
 
 /// Servo Parameter Group 2, `3001:09`: INTEGER32, rw, not mapped.
 ///
@@ -1980,7 +1969,7 @@ pub const SERVO_PARAMETER_GROUP_2_8: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_9: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x09);
+pub const SERVO_PARAMETER_GROUP_2_9: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x09);
 
 /// Servo Parameter Group 2, `3001:0A`: INTEGER32, rw, not mapped.
 ///
@@ -1988,7 +1977,7 @@ pub const SERVO_PARAMETER_GROUP_2_9: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_10: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x0A);
+pub const SERVO_PARAMETER_GROUP_2_10: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x0A);
 
 /// Servo Parameter Group 2, `3001:0B`: INTEGER32, rw, not mapped.
 ///
@@ -1996,7 +1985,7 @@ pub const SERVO_PARAMETER_GROUP_2_10: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_11: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x0B);
+pub const SERVO_PARAMETER_GROUP_2_11: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x0B);
 
 /// Servo Parameter Group 2, `3001:0C`: INTEGER32, rw, not mapped.
 ///
@@ -2004,7 +1993,7 @@ pub const SERVO_PARAMETER_GROUP_2_11: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_12: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x0C);
+pub const SERVO_PARAMETER_GROUP_2_12: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x0C);
 
 /// Servo Parameter Group 2, `3001:0D`: INTEGER32, rw, not mapped.
 ///
@@ -2012,7 +2001,7 @@ pub const SERVO_PARAMETER_GROUP_2_12: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_13: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x0D);
+pub const SERVO_PARAMETER_GROUP_2_13: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x0D);
 
 /// Servo Parameter Group 2, `3001:0E`: INTEGER32, rw, not mapped.
 ///
@@ -2020,7 +2009,7 @@ pub const SERVO_PARAMETER_GROUP_2_13: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_14: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x0E);
+pub const SERVO_PARAMETER_GROUP_2_14: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x0E);
 
 /// Servo Parameter Group 2, `3001:0F`: INTEGER32, rw, not mapped.
 ///
@@ -2028,7 +2017,7 @@ pub const SERVO_PARAMETER_GROUP_2_14: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_15: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x0F);
+pub const SERVO_PARAMETER_GROUP_2_15: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x0F);
 
 /// Servo Parameter Group 2, `3001:10`: INTEGER32, rw, not mapped.
 ///
@@ -2036,7 +2025,7 @@ pub const SERVO_PARAMETER_GROUP_2_15: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_16: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x10);
+pub const SERVO_PARAMETER_GROUP_2_16: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x10);
 
 /// Servo Parameter Group 2, `3001:11`: INTEGER32, rw, not mapped.
 ///
@@ -2044,7 +2033,7 @@ pub const SERVO_PARAMETER_GROUP_2_16: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_17: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x11);
+pub const SERVO_PARAMETER_GROUP_2_17: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x11);
 
 /// Servo Parameter Group 2, `3001:12`: INTEGER32, rw, not mapped.
 ///
@@ -2052,7 +2041,7 @@ pub const SERVO_PARAMETER_GROUP_2_17: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_18: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x12);
+pub const SERVO_PARAMETER_GROUP_2_18: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x12);
 
 /// Servo Parameter Group 2, `3001:13`: INTEGER32, rw, not mapped.
 ///
@@ -2060,7 +2049,7 @@ pub const SERVO_PARAMETER_GROUP_2_18: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_19: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x13);
+pub const SERVO_PARAMETER_GROUP_2_19: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x13);
 
 /// Servo Parameter Group 2, `3001:14`: INTEGER32, rw, not mapped.
 ///
@@ -2068,7 +2057,7 @@ pub const SERVO_PARAMETER_GROUP_2_19: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_20: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x14);
+pub const SERVO_PARAMETER_GROUP_2_20: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x14);
 
 /// Servo Parameter Group 2, `3001:15`: INTEGER32, rw, not mapped.
 ///
@@ -2076,7 +2065,7 @@ pub const SERVO_PARAMETER_GROUP_2_20: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_21: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x15);
+pub const SERVO_PARAMETER_GROUP_2_21: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x15);
 
 /// Stopper homing P2.22, `3001:16`: INTEGER32, rw, not mapped.
 ///
@@ -2087,7 +2076,7 @@ pub const SERVO_PARAMETER_GROUP_2_21: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// The name is inferred: the manual prints the number only.
 #[doc(alias = "3001")]
 #[doc(alias = "P2.22")]
-pub const STOPPER_HOMING_P2_22: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x16);
+pub const STOPPER_HOMING_P2_22: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x16);
 
 /// Stopper homing P2.23, `3001:17`: INTEGER32, rw, not mapped.
 ///
@@ -2098,7 +2087,7 @@ pub const STOPPER_HOMING_P2_22: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3
 /// The name is inferred: the manual prints the number only.
 #[doc(alias = "3001")]
 #[doc(alias = "P2.23")]
-pub const STOPPER_HOMING_P2_23: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x17);
+pub const STOPPER_HOMING_P2_23: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x17);
 
 /// Servo Parameter Group 2, `3001:18`: INTEGER32, rw, not mapped.
 ///
@@ -2106,7 +2095,7 @@ pub const STOPPER_HOMING_P2_23: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_24: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x18);
+pub const SERVO_PARAMETER_GROUP_2_24: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x18);
 
 /// Position command format, `3001:19`: INTEGER32, rw, not mapped.
 ///
@@ -2121,7 +2110,7 @@ pub const SERVO_PARAMETER_GROUP_2_24: Object<i32, Rw, Unmapped, Raw> = Object::n
 #[doc(alias = "3001")]
 #[doc(alias = "P2.25")]
 pub const POSITION_COMMAND_FORMAT: Object<enums::PositionCommandFormat, Rw, Unmapped, Raw> =
-    Object::new(0x3001, 0x19).allow(&[0, 1]);
+    object(0x3001, 0x19).allow(&[0, 1]);
 
 /// Servo Parameter Group 2, `3001:1A`: INTEGER32, rw, not mapped.
 ///
@@ -2129,7 +2118,7 @@ pub const POSITION_COMMAND_FORMAT: Object<enums::PositionCommandFormat, Rw, Unma
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_26: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x1A);
+pub const SERVO_PARAMETER_GROUP_2_26: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x1A);
 
 /// Servo Parameter Group 2, `3001:1B`: INTEGER32, rw, not mapped.
 ///
@@ -2137,7 +2126,7 @@ pub const SERVO_PARAMETER_GROUP_2_26: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_27: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x1B);
+pub const SERVO_PARAMETER_GROUP_2_27: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x1B);
 
 /// Servo Parameter Group 2, `3001:1C`: INTEGER32, rw, not mapped.
 ///
@@ -2145,7 +2134,7 @@ pub const SERVO_PARAMETER_GROUP_2_27: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_28: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x1C);
+pub const SERVO_PARAMETER_GROUP_2_28: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x1C);
 
 /// Servo Parameter Group 2, `3001:1D`: INTEGER32, rw, not mapped.
 ///
@@ -2153,7 +2142,7 @@ pub const SERVO_PARAMETER_GROUP_2_28: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_29: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x1D);
+pub const SERVO_PARAMETER_GROUP_2_29: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x1D);
 
 /// Servo Parameter Group 2, `3001:1E`: INTEGER32, rw, not mapped.
 ///
@@ -2161,7 +2150,7 @@ pub const SERVO_PARAMETER_GROUP_2_29: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_30: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x1E);
+pub const SERVO_PARAMETER_GROUP_2_30: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x1E);
 
 /// Servo Parameter Group 2, `3001:1F`: INTEGER32, rw, not mapped.
 ///
@@ -2169,7 +2158,7 @@ pub const SERVO_PARAMETER_GROUP_2_30: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_31: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x1F);
+pub const SERVO_PARAMETER_GROUP_2_31: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x1F);
 
 /// Servo Parameter Group 2, `3001:20`: INTEGER32, rw, not mapped.
 ///
@@ -2177,7 +2166,7 @@ pub const SERVO_PARAMETER_GROUP_2_31: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_32: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x20);
+pub const SERVO_PARAMETER_GROUP_2_32: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x20);
 
 /// Servo Parameter Group 2, `3001:21`: INTEGER32, rw, not mapped.
 ///
@@ -2185,7 +2174,7 @@ pub const SERVO_PARAMETER_GROUP_2_32: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_33: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x21);
+pub const SERVO_PARAMETER_GROUP_2_33: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x21);
 
 /// Servo Parameter Group 2, `3001:22`: INTEGER32, rw, not mapped.
 ///
@@ -2193,7 +2182,7 @@ pub const SERVO_PARAMETER_GROUP_2_33: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_34: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x22);
+pub const SERVO_PARAMETER_GROUP_2_34: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x22);
 
 /// Servo Parameter Group 2, `3001:23`: INTEGER32, rw, not mapped.
 ///
@@ -2201,7 +2190,7 @@ pub const SERVO_PARAMETER_GROUP_2_34: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_35: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x23);
+pub const SERVO_PARAMETER_GROUP_2_35: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x23);
 
 /// Servo Parameter Group 2, `3001:24`: INTEGER32, rw, not mapped.
 ///
@@ -2209,7 +2198,7 @@ pub const SERVO_PARAMETER_GROUP_2_35: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_36: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x24);
+pub const SERVO_PARAMETER_GROUP_2_36: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x24);
 
 /// Servo Parameter Group 2, `3001:25`: INTEGER32, rw, not mapped.
 ///
@@ -2217,7 +2206,7 @@ pub const SERVO_PARAMETER_GROUP_2_36: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_37: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x25);
+pub const SERVO_PARAMETER_GROUP_2_37: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x25);
 
 /// Servo Parameter Group 2, `3001:26`: INTEGER32, rw, not mapped.
 ///
@@ -2225,7 +2214,7 @@ pub const SERVO_PARAMETER_GROUP_2_37: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_38: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x26);
+pub const SERVO_PARAMETER_GROUP_2_38: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x26);
 
 /// Servo Parameter Group 2, `3001:27`: INTEGER32, rw, not mapped.
 ///
@@ -2233,7 +2222,7 @@ pub const SERVO_PARAMETER_GROUP_2_38: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_39: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x27);
+pub const SERVO_PARAMETER_GROUP_2_39: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x27);
 
 /// Servo Parameter Group 2, `3001:28`: INTEGER32, rw, not mapped.
 ///
@@ -2241,7 +2230,7 @@ pub const SERVO_PARAMETER_GROUP_2_39: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_40: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x28);
+pub const SERVO_PARAMETER_GROUP_2_40: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x28);
 
 /// Servo Parameter Group 2, `3001:29`: INTEGER32, rw, not mapped.
 ///
@@ -2249,7 +2238,7 @@ pub const SERVO_PARAMETER_GROUP_2_40: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_41: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x29);
+pub const SERVO_PARAMETER_GROUP_2_41: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x29);
 
 /// Servo Parameter Group 2, `3001:2A`: INTEGER32, rw, not mapped.
 ///
@@ -2257,7 +2246,7 @@ pub const SERVO_PARAMETER_GROUP_2_41: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_42: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x2A);
+pub const SERVO_PARAMETER_GROUP_2_42: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x2A);
 
 /// Servo Parameter Group 2, `3001:2B`: INTEGER32, rw, not mapped.
 ///
@@ -2265,7 +2254,7 @@ pub const SERVO_PARAMETER_GROUP_2_42: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_43: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x2B);
+pub const SERVO_PARAMETER_GROUP_2_43: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x2B);
 
 /// Servo Parameter Group 2, `3001:2C`: INTEGER32, rw, not mapped.
 ///
@@ -2273,7 +2262,7 @@ pub const SERVO_PARAMETER_GROUP_2_43: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_44: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x2C);
+pub const SERVO_PARAMETER_GROUP_2_44: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x2C);
 
 /// Servo Parameter Group 2, `3001:2D`: INTEGER32, rw, not mapped.
 ///
@@ -2281,7 +2270,7 @@ pub const SERVO_PARAMETER_GROUP_2_44: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_45: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x2D);
+pub const SERVO_PARAMETER_GROUP_2_45: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x2D);
 
 /// Servo Parameter Group 2, `3001:2E`: INTEGER32, rw, not mapped.
 ///
@@ -2289,7 +2278,7 @@ pub const SERVO_PARAMETER_GROUP_2_45: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_46: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x2E);
+pub const SERVO_PARAMETER_GROUP_2_46: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x2E);
 
 /// Servo Parameter Group 2, `3001:2F`: INTEGER32, rw, not mapped.
 ///
@@ -2297,7 +2286,7 @@ pub const SERVO_PARAMETER_GROUP_2_46: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_47: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x2F);
+pub const SERVO_PARAMETER_GROUP_2_47: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x2F);
 
 /// Servo Parameter Group 2, `3001:30`: INTEGER32, rw, not mapped.
 ///
@@ -2305,7 +2294,7 @@ pub const SERVO_PARAMETER_GROUP_2_47: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_48: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x30);
+pub const SERVO_PARAMETER_GROUP_2_48: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x30);
 
 /// Servo Parameter Group 2, `3001:31`: INTEGER32, rw, not mapped.
 ///
@@ -2313,7 +2302,7 @@ pub const SERVO_PARAMETER_GROUP_2_48: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_49: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x31);
+pub const SERVO_PARAMETER_GROUP_2_49: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x31);
 
 /// Servo Parameter Group 2, `3001:32`: INTEGER32, rw, not mapped.
 ///
@@ -2321,7 +2310,7 @@ pub const SERVO_PARAMETER_GROUP_2_49: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_50: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x32);
+pub const SERVO_PARAMETER_GROUP_2_50: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x32);
 
 /// Servo Parameter Group 2, `3001:33`: INTEGER32, rw, not mapped.
 ///
@@ -2329,7 +2318,7 @@ pub const SERVO_PARAMETER_GROUP_2_50: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_51: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x33);
+pub const SERVO_PARAMETER_GROUP_2_51: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x33);
 
 /// Servo Parameter Group 2, `3001:34`: INTEGER32, rw, not mapped.
 ///
@@ -2337,7 +2326,7 @@ pub const SERVO_PARAMETER_GROUP_2_51: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_52: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x34);
+pub const SERVO_PARAMETER_GROUP_2_52: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x34);
 
 /// Servo Parameter Group 2, `3001:35`: INTEGER32, rw, not mapped.
 ///
@@ -2345,7 +2334,7 @@ pub const SERVO_PARAMETER_GROUP_2_52: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_53: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x35);
+pub const SERVO_PARAMETER_GROUP_2_53: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x35);
 
 /// Servo Parameter Group 2, `3001:36`: INTEGER32, rw, not mapped.
 ///
@@ -2353,7 +2342,7 @@ pub const SERVO_PARAMETER_GROUP_2_53: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_54: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x36);
+pub const SERVO_PARAMETER_GROUP_2_54: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x36);
 
 /// Servo Parameter Group 2, `3001:37`: INTEGER32, rw, not mapped.
 ///
@@ -2361,7 +2350,7 @@ pub const SERVO_PARAMETER_GROUP_2_54: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_55: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x37);
+pub const SERVO_PARAMETER_GROUP_2_55: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x37);
 
 /// Servo Parameter Group 2, `3001:38`: INTEGER32, rw, not mapped.
 ///
@@ -2369,7 +2358,7 @@ pub const SERVO_PARAMETER_GROUP_2_55: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_56: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x38);
+pub const SERVO_PARAMETER_GROUP_2_56: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x38);
 
 /// Servo Parameter Group 2, `3001:39`: INTEGER32, rw, not mapped.
 ///
@@ -2377,7 +2366,7 @@ pub const SERVO_PARAMETER_GROUP_2_56: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_57: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x39);
+pub const SERVO_PARAMETER_GROUP_2_57: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x39);
 
 /// Servo Parameter Group 2, `3001:3A`: INTEGER32, rw, not mapped.
 ///
@@ -2385,7 +2374,7 @@ pub const SERVO_PARAMETER_GROUP_2_57: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_58: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x3A);
+pub const SERVO_PARAMETER_GROUP_2_58: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x3A);
 
 /// Servo Parameter Group 2, `3001:3B`: INTEGER32, rw, not mapped.
 ///
@@ -2393,7 +2382,7 @@ pub const SERVO_PARAMETER_GROUP_2_58: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_59: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x3B);
+pub const SERVO_PARAMETER_GROUP_2_59: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x3B);
 
 /// Servo Parameter Group 2, `3001:3C`: INTEGER32, rw, not mapped.
 ///
@@ -2401,7 +2390,7 @@ pub const SERVO_PARAMETER_GROUP_2_59: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_60: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x3C);
+pub const SERVO_PARAMETER_GROUP_2_60: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x3C);
 
 /// Servo Parameter Group 2, `3001:3D`: INTEGER32, rw, not mapped.
 ///
@@ -2409,7 +2398,7 @@ pub const SERVO_PARAMETER_GROUP_2_60: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_61: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x3D);
+pub const SERVO_PARAMETER_GROUP_2_61: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x3D);
 
 /// Servo Parameter Group 2, `3001:3E`: INTEGER32, rw, not mapped.
 ///
@@ -2417,7 +2406,7 @@ pub const SERVO_PARAMETER_GROUP_2_61: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_62: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x3E);
+pub const SERVO_PARAMETER_GROUP_2_62: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x3E);
 
 /// Servo Parameter Group 2, `3001:3F`: INTEGER32, rw, not mapped.
 ///
@@ -2425,7 +2414,7 @@ pub const SERVO_PARAMETER_GROUP_2_62: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_63: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x3F);
+pub const SERVO_PARAMETER_GROUP_2_63: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x3F);
 
 /// Servo Parameter Group 2, `3001:40`: INTEGER32, rw, not mapped.
 ///
@@ -2433,7 +2422,7 @@ pub const SERVO_PARAMETER_GROUP_2_63: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_64: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x40);
+pub const SERVO_PARAMETER_GROUP_2_64: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x40);
 
 /// Servo Parameter Group 2, `3001:41`: INTEGER32, rw, not mapped.
 ///
@@ -2441,7 +2430,7 @@ pub const SERVO_PARAMETER_GROUP_2_64: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_65: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x41);
+pub const SERVO_PARAMETER_GROUP_2_65: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x41);
 
 /// Servo Parameter Group 2, `3001:42`: INTEGER32, rw, not mapped.
 ///
@@ -2449,7 +2438,7 @@ pub const SERVO_PARAMETER_GROUP_2_65: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_66: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x42);
+pub const SERVO_PARAMETER_GROUP_2_66: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x42);
 
 /// Servo Parameter Group 2, `3001:43`: INTEGER32, rw, not mapped.
 ///
@@ -2457,7 +2446,7 @@ pub const SERVO_PARAMETER_GROUP_2_66: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_67: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x43);
+pub const SERVO_PARAMETER_GROUP_2_67: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x43);
 
 /// Servo Parameter Group 2, `3001:44`: INTEGER32, rw, not mapped.
 ///
@@ -2465,7 +2454,7 @@ pub const SERVO_PARAMETER_GROUP_2_67: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_68: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x44);
+pub const SERVO_PARAMETER_GROUP_2_68: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x44);
 
 /// Servo Parameter Group 2, `3001:45`: INTEGER32, rw, not mapped.
 ///
@@ -2473,7 +2462,7 @@ pub const SERVO_PARAMETER_GROUP_2_68: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_69: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x45);
+pub const SERVO_PARAMETER_GROUP_2_69: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x45);
 
 /// Servo Parameter Group 2, `3001:46`: INTEGER32, rw, not mapped.
 ///
@@ -2481,7 +2470,7 @@ pub const SERVO_PARAMETER_GROUP_2_69: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_70: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x46);
+pub const SERVO_PARAMETER_GROUP_2_70: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x46);
 
 /// Servo Parameter Group 2, `3001:47`: INTEGER32, rw, not mapped.
 ///
@@ -2489,7 +2478,7 @@ pub const SERVO_PARAMETER_GROUP_2_70: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_71: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x47);
+pub const SERVO_PARAMETER_GROUP_2_71: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x47);
 
 /// Servo Parameter Group 2, `3001:48`: INTEGER32, rw, not mapped.
 ///
@@ -2497,7 +2486,7 @@ pub const SERVO_PARAMETER_GROUP_2_71: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_72: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x48);
+pub const SERVO_PARAMETER_GROUP_2_72: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x48);
 
 /// Servo Parameter Group 2, `3001:49`: INTEGER32, rw, not mapped.
 ///
@@ -2505,7 +2494,7 @@ pub const SERVO_PARAMETER_GROUP_2_72: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_73: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x49);
+pub const SERVO_PARAMETER_GROUP_2_73: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x49);
 
 /// Servo Parameter Group 2, `3001:4A`: INTEGER32, rw, not mapped.
 ///
@@ -2513,7 +2502,7 @@ pub const SERVO_PARAMETER_GROUP_2_73: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_74: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x4A);
+pub const SERVO_PARAMETER_GROUP_2_74: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x4A);
 
 /// Servo Parameter Group 2, `3001:4B`: INTEGER32, rw, not mapped.
 ///
@@ -2521,7 +2510,7 @@ pub const SERVO_PARAMETER_GROUP_2_74: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_75: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x4B);
+pub const SERVO_PARAMETER_GROUP_2_75: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x4B);
 
 /// Servo Parameter Group 2, `3001:4C`: INTEGER32, rw, not mapped.
 ///
@@ -2529,7 +2518,7 @@ pub const SERVO_PARAMETER_GROUP_2_75: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_76: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x4C);
+pub const SERVO_PARAMETER_GROUP_2_76: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x4C);
 
 /// Initial display of the keypad, `3001:4D`: INTEGER32, rw, not mapped.
 ///
@@ -2544,7 +2533,7 @@ pub const SERVO_PARAMETER_GROUP_2_76: Object<i32, Rw, Unmapped, Raw> = Object::n
 #[doc(alias = "3001")]
 #[doc(alias = "P2.77")]
 pub const INITIAL_DISPLAY_OF_THE_KEYPAD: Object<enums::KeypadDisplay, Rw, Unmapped, Raw> =
-    Object::new(0x3001, 0x4D).at_least(0);
+    object(0x3001, 0x4D).at_least(0);
 
 /// Servo Parameter Group 2, `3001:4E`: INTEGER32, rw, not mapped.
 ///
@@ -2552,7 +2541,7 @@ pub const INITIAL_DISPLAY_OF_THE_KEYPAD: Object<enums::KeypadDisplay, Rw, Unmapp
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_78: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x4E);
+pub const SERVO_PARAMETER_GROUP_2_78: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x4E);
 
 /// Servo Parameter Group 2, `3001:4F`: INTEGER32, rw, not mapped.
 ///
@@ -2560,7 +2549,7 @@ pub const SERVO_PARAMETER_GROUP_2_78: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_79: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x4F);
+pub const SERVO_PARAMETER_GROUP_2_79: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x4F);
 
 /// Servo Parameter Group 2, `3001:50`: INTEGER32, rw, not mapped.
 ///
@@ -2568,7 +2557,7 @@ pub const SERVO_PARAMETER_GROUP_2_79: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_80: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x50);
+pub const SERVO_PARAMETER_GROUP_2_80: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x50);
 
 /// Servo Parameter Group 2, `3001:51`: INTEGER32, rw, not mapped.
 ///
@@ -2576,7 +2565,7 @@ pub const SERVO_PARAMETER_GROUP_2_80: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_81: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x51);
+pub const SERVO_PARAMETER_GROUP_2_81: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x51);
 
 /// Servo Parameter Group 2, `3001:52`: INTEGER32, rw, not mapped.
 ///
@@ -2584,7 +2573,7 @@ pub const SERVO_PARAMETER_GROUP_2_81: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_82: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x52);
+pub const SERVO_PARAMETER_GROUP_2_82: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x52);
 
 /// Servo Parameter Group 2, `3001:53`: INTEGER32, rw, not mapped.
 ///
@@ -2592,7 +2581,7 @@ pub const SERVO_PARAMETER_GROUP_2_82: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_83: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x53);
+pub const SERVO_PARAMETER_GROUP_2_83: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x53);
 
 /// Servo Parameter Group 2, `3001:54`: INTEGER32, rw, not mapped.
 ///
@@ -2600,7 +2589,7 @@ pub const SERVO_PARAMETER_GROUP_2_83: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_84: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x54);
+pub const SERVO_PARAMETER_GROUP_2_84: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x54);
 
 /// Servo Parameter Group 2, `3001:55`: INTEGER32, rw, not mapped.
 ///
@@ -2608,7 +2597,7 @@ pub const SERVO_PARAMETER_GROUP_2_84: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_85: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x55);
+pub const SERVO_PARAMETER_GROUP_2_85: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x55);
 
 /// Servo Parameter Group 2, `3001:56`: INTEGER32, rw, not mapped.
 ///
@@ -2616,7 +2605,7 @@ pub const SERVO_PARAMETER_GROUP_2_85: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_86: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x56);
+pub const SERVO_PARAMETER_GROUP_2_86: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x56);
 
 /// Servo Parameter Group 2, `3001:57`: INTEGER32, rw, not mapped.
 ///
@@ -2624,7 +2613,7 @@ pub const SERVO_PARAMETER_GROUP_2_86: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_87: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x57);
+pub const SERVO_PARAMETER_GROUP_2_87: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x57);
 
 /// Servo Parameter Group 2, `3001:58`: INTEGER32, rw, not mapped.
 ///
@@ -2632,7 +2621,7 @@ pub const SERVO_PARAMETER_GROUP_2_87: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_88: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x58);
+pub const SERVO_PARAMETER_GROUP_2_88: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x58);
 
 /// Servo Parameter Group 2, `3001:59`: INTEGER32, rw, not mapped.
 ///
@@ -2640,7 +2629,7 @@ pub const SERVO_PARAMETER_GROUP_2_88: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_89: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x59);
+pub const SERVO_PARAMETER_GROUP_2_89: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x59);
 
 /// Servo Parameter Group 2, `3001:5A`: INTEGER32, rw, not mapped.
 ///
@@ -2648,7 +2637,7 @@ pub const SERVO_PARAMETER_GROUP_2_89: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_90: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x5A);
+pub const SERVO_PARAMETER_GROUP_2_90: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x5A);
 
 /// Servo Parameter Group 2, `3001:5B`: INTEGER32, rw, not mapped.
 ///
@@ -2656,7 +2645,7 @@ pub const SERVO_PARAMETER_GROUP_2_90: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_91: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x5B);
+pub const SERVO_PARAMETER_GROUP_2_91: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x5B);
 
 /// Servo Parameter Group 2, `3001:5C`: INTEGER32, rw, not mapped.
 ///
@@ -2664,7 +2653,7 @@ pub const SERVO_PARAMETER_GROUP_2_91: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_92: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x5C);
+pub const SERVO_PARAMETER_GROUP_2_92: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x5C);
 
 /// Servo Parameter Group 2, `3001:5D`: INTEGER32, rw, not mapped.
 ///
@@ -2672,7 +2661,7 @@ pub const SERVO_PARAMETER_GROUP_2_92: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_93: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x5D);
+pub const SERVO_PARAMETER_GROUP_2_93: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x5D);
 
 /// Servo Parameter Group 2, `3001:5E`: INTEGER32, rw, not mapped.
 ///
@@ -2680,7 +2669,7 @@ pub const SERVO_PARAMETER_GROUP_2_93: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_94: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x5E);
+pub const SERVO_PARAMETER_GROUP_2_94: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x5E);
 
 /// Servo Parameter Group 2, `3001:5F`: INTEGER32, rw, not mapped.
 ///
@@ -2688,7 +2677,7 @@ pub const SERVO_PARAMETER_GROUP_2_94: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_95: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x5F);
+pub const SERVO_PARAMETER_GROUP_2_95: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x5F);
 
 /// Servo Parameter Group 2, `3001:60`: INTEGER32, rw, not mapped.
 ///
@@ -2696,7 +2685,7 @@ pub const SERVO_PARAMETER_GROUP_2_95: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_96: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x60);
+pub const SERVO_PARAMETER_GROUP_2_96: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x60);
 
 /// Servo Parameter Group 2, `3001:61`: INTEGER32, rw, not mapped.
 ///
@@ -2704,7 +2693,7 @@ pub const SERVO_PARAMETER_GROUP_2_96: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_97: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x61);
+pub const SERVO_PARAMETER_GROUP_2_97: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x61);
 
 /// Servo Parameter Group 2, `3001:62`: INTEGER32, rw, not mapped.
 ///
@@ -2712,7 +2701,7 @@ pub const SERVO_PARAMETER_GROUP_2_97: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_98: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x62);
+pub const SERVO_PARAMETER_GROUP_2_98: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x62);
 
 /// Servo Parameter Group 2, `3001:63`: INTEGER32, rw, not mapped.
 ///
@@ -2720,7 +2709,7 @@ pub const SERVO_PARAMETER_GROUP_2_98: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1273.
 #[doc(alias = "3001")]
-pub const SERVO_PARAMETER_GROUP_2_99: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3001, 0x63);
+pub const SERVO_PARAMETER_GROUP_2_99: Object<i32, Rw, Unmapped, Raw> = object(0x3001, 0x63);
 
 // 3002h Number of Servo Para Group3
 
@@ -2730,7 +2719,7 @@ pub const SERVO_PARAMETER_GROUP_2_99: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Default 99.
 /// Manual: 6.3 T6-3 L1274.
 #[doc(alias = "3002")]
-pub const NUMBER_OF_SERVO_PARA_GROUP3: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3002, 0x00);
+pub const NUMBER_OF_SERVO_PARA_GROUP3: Object<u8, Ro, Unmapped, Raw> = object(0x3002, 0x00);
 
 /// Function of EI1, `3002:01`: INTEGER32, rw, not mapped.
 ///
@@ -2741,7 +2730,7 @@ pub const NUMBER_OF_SERVO_PARA_GROUP3: Object<u8, Ro, Unmapped, Raw> = Object::n
 /// The name is inferred: not printed; five inputs and five parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.01")]
-pub const FUNCTION_OF_EI1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x01);
+pub const FUNCTION_OF_EI1: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x01);
 
 /// Function of EI2, `3002:02`: INTEGER32, rw, not mapped.
 ///
@@ -2752,7 +2741,7 @@ pub const FUNCTION_OF_EI1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 
 /// The name is inferred: not printed; five inputs and five parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.02")]
-pub const FUNCTION_OF_EI2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x02);
+pub const FUNCTION_OF_EI2: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x02);
 
 /// Function of EI3, `3002:03`: INTEGER32, rw, not mapped.
 ///
@@ -2763,7 +2752,7 @@ pub const FUNCTION_OF_EI2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 
 /// The name is inferred: not printed; five inputs and five parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.03")]
-pub const FUNCTION_OF_EI3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x03);
+pub const FUNCTION_OF_EI3: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x03);
 
 /// Function of EI4, `3002:04`: INTEGER32, rw, not mapped.
 ///
@@ -2774,7 +2763,7 @@ pub const FUNCTION_OF_EI3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 
 /// The name is inferred: not printed; five inputs and five parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.04")]
-pub const FUNCTION_OF_EI4: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x04);
+pub const FUNCTION_OF_EI4: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x04);
 
 /// Function of EI5, `3002:05`: INTEGER32, rw, not mapped.
 ///
@@ -2785,7 +2774,7 @@ pub const FUNCTION_OF_EI4: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 
 /// The name is inferred: not printed; five inputs and five parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.05")]
-pub const FUNCTION_OF_EI5: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x05);
+pub const FUNCTION_OF_EI5: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x05);
 
 /// Servo Parameter Group 3, `3002:06`: INTEGER32, rw, not mapped.
 ///
@@ -2793,7 +2782,7 @@ pub const FUNCTION_OF_EI5: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_6: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x06);
+pub const SERVO_PARAMETER_GROUP_3_6: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x06);
 
 /// Servo Parameter Group 3, `3002:07`: INTEGER32, rw, not mapped.
 ///
@@ -2801,7 +2790,7 @@ pub const SERVO_PARAMETER_GROUP_3_6: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_7: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x07);
+pub const SERVO_PARAMETER_GROUP_3_7: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x07);
 
 /// Servo Parameter Group 3, `3002:08`: INTEGER32, rw, not mapped.
 ///
@@ -2809,7 +2798,7 @@ pub const SERVO_PARAMETER_GROUP_3_7: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_8: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x08);
+pub const SERVO_PARAMETER_GROUP_3_8: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x08);
 
 /// Function of communication EI1, `3002:09`: INTEGER32, rw, not mapped.
 ///
@@ -2820,7 +2809,7 @@ pub const SERVO_PARAMETER_GROUP_3_8: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.09")]
-pub const FUNCTION_OF_COMMUNICATION_EI1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x09);
+pub const FUNCTION_OF_COMMUNICATION_EI1: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x09);
 
 /// Function of communication EI2, `3002:0A`: INTEGER32, rw, not mapped.
 ///
@@ -2831,7 +2820,7 @@ pub const FUNCTION_OF_COMMUNICATION_EI1: Object<i32, Rw, Unmapped, Raw> = Object
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.10")]
-pub const FUNCTION_OF_COMMUNICATION_EI2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0A);
+pub const FUNCTION_OF_COMMUNICATION_EI2: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x0A);
 
 /// Function of communication EI3, `3002:0B`: INTEGER32, rw, not mapped.
 ///
@@ -2842,7 +2831,7 @@ pub const FUNCTION_OF_COMMUNICATION_EI2: Object<i32, Rw, Unmapped, Raw> = Object
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.11")]
-pub const FUNCTION_OF_COMMUNICATION_EI3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0B);
+pub const FUNCTION_OF_COMMUNICATION_EI3: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x0B);
 
 /// Function of communication EI4, `3002:0C`: INTEGER32, rw, not mapped.
 ///
@@ -2853,7 +2842,7 @@ pub const FUNCTION_OF_COMMUNICATION_EI3: Object<i32, Rw, Unmapped, Raw> = Object
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.12")]
-pub const FUNCTION_OF_COMMUNICATION_EI4: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0C);
+pub const FUNCTION_OF_COMMUNICATION_EI4: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x0C);
 
 /// Function of communication EI5, `3002:0D`: INTEGER32, rw, not mapped.
 ///
@@ -2864,7 +2853,7 @@ pub const FUNCTION_OF_COMMUNICATION_EI4: Object<i32, Rw, Unmapped, Raw> = Object
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.13")]
-pub const FUNCTION_OF_COMMUNICATION_EI5: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0D);
+pub const FUNCTION_OF_COMMUNICATION_EI5: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x0D);
 
 /// Function of communication EI6, `3002:0E`: INTEGER32, rw, not mapped.
 ///
@@ -2875,7 +2864,7 @@ pub const FUNCTION_OF_COMMUNICATION_EI5: Object<i32, Rw, Unmapped, Raw> = Object
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.14")]
-pub const FUNCTION_OF_COMMUNICATION_EI6: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0E);
+pub const FUNCTION_OF_COMMUNICATION_EI6: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x0E);
 
 /// Function of communication EI7, `3002:0F`: INTEGER32, rw, not mapped.
 ///
@@ -2886,7 +2875,7 @@ pub const FUNCTION_OF_COMMUNICATION_EI6: Object<i32, Rw, Unmapped, Raw> = Object
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.15")]
-pub const FUNCTION_OF_COMMUNICATION_EI7: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x0F);
+pub const FUNCTION_OF_COMMUNICATION_EI7: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x0F);
 
 /// Function of communication EI8, `3002:10`: INTEGER32, rw, not mapped.
 ///
@@ -2897,7 +2886,7 @@ pub const FUNCTION_OF_COMMUNICATION_EI7: Object<i32, Rw, Unmapped, Raw> = Object
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.16")]
-pub const FUNCTION_OF_COMMUNICATION_EI8: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x10);
+pub const FUNCTION_OF_COMMUNICATION_EI8: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x10);
 
 /// Function of communication EI9, `3002:11`: INTEGER32, rw, not mapped.
 ///
@@ -2908,7 +2897,7 @@ pub const FUNCTION_OF_COMMUNICATION_EI8: Object<i32, Rw, Unmapped, Raw> = Object
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.17")]
-pub const FUNCTION_OF_COMMUNICATION_EI9: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x11);
+pub const FUNCTION_OF_COMMUNICATION_EI9: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x11);
 
 /// Function of communication EI10, `3002:12`: INTEGER32, rw, not mapped.
 ///
@@ -2919,8 +2908,7 @@ pub const FUNCTION_OF_COMMUNICATION_EI9: Object<i32, Rw, Unmapped, Raw> = Object
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.18")]
-pub const FUNCTION_OF_COMMUNICATION_EI10: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x12);
+pub const FUNCTION_OF_COMMUNICATION_EI10: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x12);
 
 /// Function of communication EI11, `3002:13`: INTEGER32, rw, not mapped.
 ///
@@ -2931,8 +2919,7 @@ pub const FUNCTION_OF_COMMUNICATION_EI10: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.19")]
-pub const FUNCTION_OF_COMMUNICATION_EI11: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x13);
+pub const FUNCTION_OF_COMMUNICATION_EI11: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x13);
 
 /// Function of communication EI12, `3002:14`: INTEGER32, rw, not mapped.
 ///
@@ -2943,8 +2930,7 @@ pub const FUNCTION_OF_COMMUNICATION_EI11: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.20")]
-pub const FUNCTION_OF_COMMUNICATION_EI12: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x14);
+pub const FUNCTION_OF_COMMUNICATION_EI12: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x14);
 
 /// Function of communication EI13, `3002:15`: INTEGER32, rw, not mapped.
 ///
@@ -2955,8 +2941,7 @@ pub const FUNCTION_OF_COMMUNICATION_EI12: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.21")]
-pub const FUNCTION_OF_COMMUNICATION_EI13: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x15);
+pub const FUNCTION_OF_COMMUNICATION_EI13: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x15);
 
 /// Function of communication EI14, `3002:16`: INTEGER32, rw, not mapped.
 ///
@@ -2967,8 +2952,7 @@ pub const FUNCTION_OF_COMMUNICATION_EI13: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.22")]
-pub const FUNCTION_OF_COMMUNICATION_EI14: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x16);
+pub const FUNCTION_OF_COMMUNICATION_EI14: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x16);
 
 /// Function of communication EI15, `3002:17`: INTEGER32, rw, not mapped.
 ///
@@ -2979,8 +2963,7 @@ pub const FUNCTION_OF_COMMUNICATION_EI14: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.23")]
-pub const FUNCTION_OF_COMMUNICATION_EI15: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x17);
+pub const FUNCTION_OF_COMMUNICATION_EI15: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x17);
 
 /// Function of communication EI16, `3002:18`: INTEGER32, rw, not mapped.
 ///
@@ -2991,8 +2974,7 @@ pub const FUNCTION_OF_COMMUNICATION_EI15: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen inputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.24")]
-pub const FUNCTION_OF_COMMUNICATION_EI16: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x18);
+pub const FUNCTION_OF_COMMUNICATION_EI16: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x18);
 
 /// Servo Parameter Group 3, `3002:19`: INTEGER32, rw, not mapped.
 ///
@@ -3000,7 +2982,7 @@ pub const FUNCTION_OF_COMMUNICATION_EI16: Object<i32, Rw, Unmapped, Raw> =
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_25: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x19);
+pub const SERVO_PARAMETER_GROUP_3_25: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x19);
 
 /// Servo Parameter Group 3, `3002:1A`: INTEGER32, rw, not mapped.
 ///
@@ -3008,7 +2990,7 @@ pub const SERVO_PARAMETER_GROUP_3_25: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_26: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x1A);
+pub const SERVO_PARAMETER_GROUP_3_26: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x1A);
 
 /// Servo Parameter Group 3, `3002:1B`: INTEGER32, rw, not mapped.
 ///
@@ -3016,7 +2998,7 @@ pub const SERVO_PARAMETER_GROUP_3_26: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_27: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x1B);
+pub const SERVO_PARAMETER_GROUP_3_27: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x1B);
 
 /// Servo Parameter Group 3, `3002:1C`: INTEGER32, rw, not mapped.
 ///
@@ -3024,7 +3006,7 @@ pub const SERVO_PARAMETER_GROUP_3_27: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_28: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x1C);
+pub const SERVO_PARAMETER_GROUP_3_28: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x1C);
 
 /// Servo Parameter Group 3, `3002:1D`: INTEGER32, rw, not mapped.
 ///
@@ -3032,7 +3014,7 @@ pub const SERVO_PARAMETER_GROUP_3_28: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_29: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x1D);
+pub const SERVO_PARAMETER_GROUP_3_29: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x1D);
 
 /// Servo Parameter Group 3, `3002:1E`: INTEGER32, rw, not mapped.
 ///
@@ -3040,7 +3022,7 @@ pub const SERVO_PARAMETER_GROUP_3_29: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_30: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x1E);
+pub const SERVO_PARAMETER_GROUP_3_30: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x1E);
 
 /// Servo Parameter Group 3, `3002:1F`: INTEGER32, rw, not mapped.
 ///
@@ -3048,7 +3030,7 @@ pub const SERVO_PARAMETER_GROUP_3_30: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_31: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x1F);
+pub const SERVO_PARAMETER_GROUP_3_31: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x1F);
 
 /// Servo Parameter Group 3, `3002:20`: INTEGER32, rw, not mapped.
 ///
@@ -3056,7 +3038,7 @@ pub const SERVO_PARAMETER_GROUP_3_31: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_32: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x20);
+pub const SERVO_PARAMETER_GROUP_3_32: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x20);
 
 /// Servo Parameter Group 3, `3002:21`: INTEGER32, rw, not mapped.
 ///
@@ -3064,7 +3046,7 @@ pub const SERVO_PARAMETER_GROUP_3_32: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_33: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x21);
+pub const SERVO_PARAMETER_GROUP_3_33: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x21);
 
 /// Servo Parameter Group 3, `3002:22`: INTEGER32, rw, not mapped.
 ///
@@ -3072,7 +3054,7 @@ pub const SERVO_PARAMETER_GROUP_3_33: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_34: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x22);
+pub const SERVO_PARAMETER_GROUP_3_34: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x22);
 
 /// Servo Parameter Group 3, `3002:23`: INTEGER32, rw, not mapped.
 ///
@@ -3080,7 +3062,7 @@ pub const SERVO_PARAMETER_GROUP_3_34: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_35: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x23);
+pub const SERVO_PARAMETER_GROUP_3_35: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x23);
 
 /// Servo Parameter Group 3, `3002:24`: INTEGER32, rw, not mapped.
 ///
@@ -3088,7 +3070,7 @@ pub const SERVO_PARAMETER_GROUP_3_35: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_36: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x24);
+pub const SERVO_PARAMETER_GROUP_3_36: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x24);
 
 /// Servo Parameter Group 3, `3002:25`: INTEGER32, rw, not mapped.
 ///
@@ -3096,7 +3078,7 @@ pub const SERVO_PARAMETER_GROUP_3_36: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_37: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x25);
+pub const SERVO_PARAMETER_GROUP_3_37: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x25);
 
 /// Servo Parameter Group 3, `3002:26`: INTEGER32, rw, not mapped.
 ///
@@ -3104,7 +3086,7 @@ pub const SERVO_PARAMETER_GROUP_3_37: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_38: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x26);
+pub const SERVO_PARAMETER_GROUP_3_38: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x26);
 
 /// Servo Parameter Group 3, `3002:27`: INTEGER32, rw, not mapped.
 ///
@@ -3112,7 +3094,7 @@ pub const SERVO_PARAMETER_GROUP_3_38: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_39: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x27);
+pub const SERVO_PARAMETER_GROUP_3_39: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x27);
 
 /// Servo Parameter Group 3, `3002:28`: INTEGER32, rw, not mapped.
 ///
@@ -3120,7 +3102,7 @@ pub const SERVO_PARAMETER_GROUP_3_39: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_40: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x28);
+pub const SERVO_PARAMETER_GROUP_3_40: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x28);
 
 /// Servo Parameter Group 3, `3002:29`: INTEGER32, rw, not mapped.
 ///
@@ -3128,7 +3110,7 @@ pub const SERVO_PARAMETER_GROUP_3_40: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_41: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x29);
+pub const SERVO_PARAMETER_GROUP_3_41: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x29);
 
 /// Servo Parameter Group 3, `3002:2A`: INTEGER32, rw, not mapped.
 ///
@@ -3136,7 +3118,7 @@ pub const SERVO_PARAMETER_GROUP_3_41: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_42: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x2A);
+pub const SERVO_PARAMETER_GROUP_3_42: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x2A);
 
 /// Servo Parameter Group 3, `3002:2B`: INTEGER32, rw, not mapped.
 ///
@@ -3144,7 +3126,7 @@ pub const SERVO_PARAMETER_GROUP_3_42: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_43: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x2B);
+pub const SERVO_PARAMETER_GROUP_3_43: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x2B);
 
 /// Servo Parameter Group 3, `3002:2C`: INTEGER32, rw, not mapped.
 ///
@@ -3152,7 +3134,7 @@ pub const SERVO_PARAMETER_GROUP_3_43: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_44: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x2C);
+pub const SERVO_PARAMETER_GROUP_3_44: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x2C);
 
 /// Servo Parameter Group 3, `3002:2D`: INTEGER32, rw, not mapped.
 ///
@@ -3160,7 +3142,7 @@ pub const SERVO_PARAMETER_GROUP_3_44: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_45: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x2D);
+pub const SERVO_PARAMETER_GROUP_3_45: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x2D);
 
 /// Servo Parameter Group 3, `3002:2E`: INTEGER32, rw, not mapped.
 ///
@@ -3168,7 +3150,7 @@ pub const SERVO_PARAMETER_GROUP_3_45: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_46: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x2E);
+pub const SERVO_PARAMETER_GROUP_3_46: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x2E);
 
 /// Servo Parameter Group 3, `3002:2F`: INTEGER32, rw, not mapped.
 ///
@@ -3176,7 +3158,7 @@ pub const SERVO_PARAMETER_GROUP_3_46: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_47: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x2F);
+pub const SERVO_PARAMETER_GROUP_3_47: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x2F);
 
 /// Servo Parameter Group 3, `3002:30`: INTEGER32, rw, not mapped.
 ///
@@ -3184,7 +3166,7 @@ pub const SERVO_PARAMETER_GROUP_3_47: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_48: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x30);
+pub const SERVO_PARAMETER_GROUP_3_48: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x30);
 
 /// Servo Parameter Group 3, `3002:31`: INTEGER32, rw, not mapped.
 ///
@@ -3192,7 +3174,7 @@ pub const SERVO_PARAMETER_GROUP_3_48: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_49: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x31);
+pub const SERVO_PARAMETER_GROUP_3_49: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x31);
 
 /// Servo Parameter Group 3, `3002:32`: INTEGER32, rw, not mapped.
 ///
@@ -3200,7 +3182,7 @@ pub const SERVO_PARAMETER_GROUP_3_49: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_50: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x32);
+pub const SERVO_PARAMETER_GROUP_3_50: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x32);
 
 /// Function of EOUT1, `3002:33`: INTEGER32, rw, not mapped.
 ///
@@ -3211,7 +3193,7 @@ pub const SERVO_PARAMETER_GROUP_3_50: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// The name is inferred: not printed; three outputs and three parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.51")]
-pub const FUNCTION_OF_EOUT1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x33);
+pub const FUNCTION_OF_EOUT1: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x33);
 
 /// Function of EOUT2, `3002:34`: INTEGER32, rw, not mapped.
 ///
@@ -3222,7 +3204,7 @@ pub const FUNCTION_OF_EOUT1: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002
 /// The name is inferred: not printed; three outputs and three parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.52")]
-pub const FUNCTION_OF_EOUT2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x34);
+pub const FUNCTION_OF_EOUT2: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x34);
 
 /// Function of EOUT3, `3002:35`: INTEGER32, rw, not mapped.
 ///
@@ -3233,7 +3215,7 @@ pub const FUNCTION_OF_EOUT2: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002
 /// The name is inferred: not printed; three outputs and three parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.53")]
-pub const FUNCTION_OF_EOUT3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x35);
+pub const FUNCTION_OF_EOUT3: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x35);
 
 /// Servo Parameter Group 3, `3002:36`: INTEGER32, rw, not mapped.
 ///
@@ -3241,7 +3223,7 @@ pub const FUNCTION_OF_EOUT3: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_54: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x36);
+pub const SERVO_PARAMETER_GROUP_3_54: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x36);
 
 /// Servo Parameter Group 3, `3002:37`: INTEGER32, rw, not mapped.
 ///
@@ -3249,7 +3231,7 @@ pub const SERVO_PARAMETER_GROUP_3_54: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_55: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x37);
+pub const SERVO_PARAMETER_GROUP_3_55: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x37);
 
 /// Function of communication EOUT1, `3002:38`: INTEGER32, rw, not mapped.
 ///
@@ -3260,8 +3242,7 @@ pub const SERVO_PARAMETER_GROUP_3_55: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.56")]
-pub const FUNCTION_OF_COMMUNICATION_EOUT1: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x38);
+pub const FUNCTION_OF_COMMUNICATION_EOUT1: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x38);
 
 /// Function of communication EOUT2, `3002:39`: INTEGER32, rw, not mapped.
 ///
@@ -3272,8 +3253,7 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT1: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.57")]
-pub const FUNCTION_OF_COMMUNICATION_EOUT2: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x39);
+pub const FUNCTION_OF_COMMUNICATION_EOUT2: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x39);
 
 /// Function of communication EOUT3, `3002:3A`: INTEGER32, rw, not mapped.
 ///
@@ -3284,8 +3264,7 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT2: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.58")]
-pub const FUNCTION_OF_COMMUNICATION_EOUT3: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x3A);
+pub const FUNCTION_OF_COMMUNICATION_EOUT3: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x3A);
 
 /// Function of communication EOUT4, `3002:3B`: INTEGER32, rw, not mapped.
 ///
@@ -3296,8 +3275,7 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT3: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.59")]
-pub const FUNCTION_OF_COMMUNICATION_EOUT4: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x3B);
+pub const FUNCTION_OF_COMMUNICATION_EOUT4: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x3B);
 
 /// Function of communication EOUT5, `3002:3C`: INTEGER32, rw, not mapped.
 ///
@@ -3308,8 +3286,7 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT4: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.60")]
-pub const FUNCTION_OF_COMMUNICATION_EOUT5: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x3C);
+pub const FUNCTION_OF_COMMUNICATION_EOUT5: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x3C);
 
 /// Function of communication EOUT6, `3002:3D`: INTEGER32, rw, not mapped.
 ///
@@ -3320,8 +3297,7 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT5: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.61")]
-pub const FUNCTION_OF_COMMUNICATION_EOUT6: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x3D);
+pub const FUNCTION_OF_COMMUNICATION_EOUT6: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x3D);
 
 /// Function of communication EOUT7, `3002:3E`: INTEGER32, rw, not mapped.
 ///
@@ -3332,8 +3308,7 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT6: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.62")]
-pub const FUNCTION_OF_COMMUNICATION_EOUT7: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x3E);
+pub const FUNCTION_OF_COMMUNICATION_EOUT7: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x3E);
 
 /// Function of communication EOUT8, `3002:3F`: INTEGER32, rw, not mapped.
 ///
@@ -3344,8 +3319,7 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT7: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.63")]
-pub const FUNCTION_OF_COMMUNICATION_EOUT8: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x3F);
+pub const FUNCTION_OF_COMMUNICATION_EOUT8: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x3F);
 
 /// Function of communication EOUT9, `3002:40`: INTEGER32, rw, not mapped.
 ///
@@ -3356,8 +3330,7 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT8: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.64")]
-pub const FUNCTION_OF_COMMUNICATION_EOUT9: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x40);
+pub const FUNCTION_OF_COMMUNICATION_EOUT9: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x40);
 
 /// Function of communication EOUT10, `3002:41`: INTEGER32, rw, not mapped.
 ///
@@ -3368,8 +3341,7 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT9: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.65")]
-pub const FUNCTION_OF_COMMUNICATION_EOUT10: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x41);
+pub const FUNCTION_OF_COMMUNICATION_EOUT10: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x41);
 
 /// Function of communication EOUT11, `3002:42`: INTEGER32, rw, not mapped.
 ///
@@ -3380,8 +3352,7 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT10: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.66")]
-pub const FUNCTION_OF_COMMUNICATION_EOUT11: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x42);
+pub const FUNCTION_OF_COMMUNICATION_EOUT11: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x42);
 
 /// Function of communication EOUT12, `3002:43`: INTEGER32, rw, not mapped.
 ///
@@ -3392,8 +3363,7 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT11: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.67")]
-pub const FUNCTION_OF_COMMUNICATION_EOUT12: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x43);
+pub const FUNCTION_OF_COMMUNICATION_EOUT12: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x43);
 
 /// Function of communication EOUT13, `3002:44`: INTEGER32, rw, not mapped.
 ///
@@ -3404,8 +3374,7 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT12: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.68")]
-pub const FUNCTION_OF_COMMUNICATION_EOUT13: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x44);
+pub const FUNCTION_OF_COMMUNICATION_EOUT13: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x44);
 
 /// Function of communication EOUT14, `3002:45`: INTEGER32, rw, not mapped.
 ///
@@ -3416,8 +3385,7 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT13: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.69")]
-pub const FUNCTION_OF_COMMUNICATION_EOUT14: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x45);
+pub const FUNCTION_OF_COMMUNICATION_EOUT14: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x45);
 
 /// Function of communication EOUT15, `3002:46`: INTEGER32, rw, not mapped.
 ///
@@ -3428,8 +3396,7 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT14: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.70")]
-pub const FUNCTION_OF_COMMUNICATION_EOUT15: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x46);
+pub const FUNCTION_OF_COMMUNICATION_EOUT15: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x46);
 
 /// Function of communication EOUT16, `3002:47`: INTEGER32, rw, not mapped.
 ///
@@ -3440,8 +3407,7 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT15: Object<i32, Rw, Unmapped, Raw> =
 /// The name is inferred: not printed; sixteen outputs and sixteen parameters, taken in order.
 #[doc(alias = "3002")]
 #[doc(alias = "P3.71")]
-pub const FUNCTION_OF_COMMUNICATION_EOUT16: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x47);
+pub const FUNCTION_OF_COMMUNICATION_EOUT16: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x47);
 
 /// Servo Parameter Group 3, `3002:48`: INTEGER32, rw, not mapped.
 ///
@@ -3449,7 +3415,7 @@ pub const FUNCTION_OF_COMMUNICATION_EOUT16: Object<i32, Rw, Unmapped, Raw> =
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_72: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x48);
+pub const SERVO_PARAMETER_GROUP_3_72: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x48);
 
 /// Servo Parameter Group 3, `3002:49`: INTEGER32, rw, not mapped.
 ///
@@ -3457,7 +3423,7 @@ pub const SERVO_PARAMETER_GROUP_3_72: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_73: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x49);
+pub const SERVO_PARAMETER_GROUP_3_73: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x49);
 
 /// Servo Parameter Group 3, `3002:4A`: INTEGER32, rw, not mapped.
 ///
@@ -3465,7 +3431,7 @@ pub const SERVO_PARAMETER_GROUP_3_73: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_74: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x4A);
+pub const SERVO_PARAMETER_GROUP_3_74: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x4A);
 
 /// Servo Parameter Group 3, `3002:4B`: INTEGER32, rw, not mapped.
 ///
@@ -3473,7 +3439,7 @@ pub const SERVO_PARAMETER_GROUP_3_74: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_75: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x4B);
+pub const SERVO_PARAMETER_GROUP_3_75: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x4B);
 
 /// Servo Parameter Group 3, `3002:4C`: INTEGER32, rw, not mapped.
 ///
@@ -3481,7 +3447,7 @@ pub const SERVO_PARAMETER_GROUP_3_75: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_76: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x4C);
+pub const SERVO_PARAMETER_GROUP_3_76: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x4C);
 
 /// Servo Parameter Group 3, `3002:4D`: INTEGER32, rw, not mapped.
 ///
@@ -3489,7 +3455,7 @@ pub const SERVO_PARAMETER_GROUP_3_76: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_77: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x4D);
+pub const SERVO_PARAMETER_GROUP_3_77: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x4D);
 
 /// Servo Parameter Group 3, `3002:4E`: INTEGER32, rw, not mapped.
 ///
@@ -3497,7 +3463,7 @@ pub const SERVO_PARAMETER_GROUP_3_77: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_78: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x4E);
+pub const SERVO_PARAMETER_GROUP_3_78: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x4E);
 
 /// Servo Parameter Group 3, `3002:4F`: INTEGER32, rw, not mapped.
 ///
@@ -3505,7 +3471,7 @@ pub const SERVO_PARAMETER_GROUP_3_78: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_79: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x4F);
+pub const SERVO_PARAMETER_GROUP_3_79: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x4F);
 
 /// Servo Parameter Group 3, `3002:50`: INTEGER32, rw, not mapped.
 ///
@@ -3513,7 +3479,7 @@ pub const SERVO_PARAMETER_GROUP_3_79: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_80: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x50);
+pub const SERVO_PARAMETER_GROUP_3_80: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x50);
 
 /// Servo Parameter Group 3, `3002:51`: INTEGER32, rw, not mapped.
 ///
@@ -3521,7 +3487,7 @@ pub const SERVO_PARAMETER_GROUP_3_80: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_81: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x51);
+pub const SERVO_PARAMETER_GROUP_3_81: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x51);
 
 /// Servo Parameter Group 3, `3002:52`: INTEGER32, rw, not mapped.
 ///
@@ -3529,7 +3495,7 @@ pub const SERVO_PARAMETER_GROUP_3_81: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_82: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x52);
+pub const SERVO_PARAMETER_GROUP_3_82: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x52);
 
 /// Servo Parameter Group 3, `3002:53`: INTEGER32, rw, not mapped.
 ///
@@ -3537,7 +3503,7 @@ pub const SERVO_PARAMETER_GROUP_3_82: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_83: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x53);
+pub const SERVO_PARAMETER_GROUP_3_83: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x53);
 
 /// Servo Parameter Group 3, `3002:54`: INTEGER32, rw, not mapped.
 ///
@@ -3545,7 +3511,7 @@ pub const SERVO_PARAMETER_GROUP_3_83: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_84: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x54);
+pub const SERVO_PARAMETER_GROUP_3_84: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x54);
 
 /// Servo Parameter Group 3, `3002:55`: INTEGER32, rw, not mapped.
 ///
@@ -3553,7 +3519,7 @@ pub const SERVO_PARAMETER_GROUP_3_84: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_85: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x55);
+pub const SERVO_PARAMETER_GROUP_3_85: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x55);
 
 /// Servo Parameter Group 3, `3002:56`: INTEGER32, rw, not mapped.
 ///
@@ -3561,7 +3527,7 @@ pub const SERVO_PARAMETER_GROUP_3_85: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_86: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x56);
+pub const SERVO_PARAMETER_GROUP_3_86: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x56);
 
 /// Servo Parameter Group 3, `3002:57`: INTEGER32, rw, not mapped.
 ///
@@ -3569,7 +3535,7 @@ pub const SERVO_PARAMETER_GROUP_3_86: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_87: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x57);
+pub const SERVO_PARAMETER_GROUP_3_87: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x57);
 
 /// Servo Parameter Group 3, `3002:58`: INTEGER32, rw, not mapped.
 ///
@@ -3577,7 +3543,7 @@ pub const SERVO_PARAMETER_GROUP_3_87: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_88: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x58);
+pub const SERVO_PARAMETER_GROUP_3_88: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x58);
 
 /// Feedback speed sampling time, `3002:59`: INTEGER32, rw, not mapped.
 ///
@@ -3589,7 +3555,7 @@ pub const SERVO_PARAMETER_GROUP_3_88: Object<i32, Rw, Unmapped, Raw> = Object::n
 #[doc(alias = "3002")]
 #[doc(alias = "P3.89")]
 pub const FEEDBACK_SPEED_SAMPLING_TIME: Object<enums::SpeedSamplingTime, Rw, Unmapped, Raw> =
-    Object::new(0x3002, 0x59).allow(&[0, 1, 2, 3, 4, 5, 6, 7]);
+    object(0x3002, 0x59).allow(&[0, 1, 2, 3, 4, 5, 6, 7]);
 
 /// Servo Parameter Group 3, `3002:5A`: INTEGER32, rw, not mapped.
 ///
@@ -3597,7 +3563,7 @@ pub const FEEDBACK_SPEED_SAMPLING_TIME: Object<enums::SpeedSamplingTime, Rw, Unm
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_90: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x5A);
+pub const SERVO_PARAMETER_GROUP_3_90: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x5A);
 
 /// Servo Parameter Group 3, `3002:5B`: INTEGER32, rw, not mapped.
 ///
@@ -3605,7 +3571,7 @@ pub const SERVO_PARAMETER_GROUP_3_90: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_91: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x5B);
+pub const SERVO_PARAMETER_GROUP_3_91: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x5B);
 
 /// Servo Parameter Group 3, `3002:5C`: INTEGER32, rw, not mapped.
 ///
@@ -3613,7 +3579,7 @@ pub const SERVO_PARAMETER_GROUP_3_91: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_92: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x5C);
+pub const SERVO_PARAMETER_GROUP_3_92: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x5C);
 
 /// Servo Parameter Group 3, `3002:5D`: INTEGER32, rw, not mapped.
 ///
@@ -3621,7 +3587,7 @@ pub const SERVO_PARAMETER_GROUP_3_92: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_93: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x5D);
+pub const SERVO_PARAMETER_GROUP_3_93: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x5D);
 
 /// Servo Parameter Group 3, `3002:5E`: INTEGER32, rw, not mapped.
 ///
@@ -3629,7 +3595,7 @@ pub const SERVO_PARAMETER_GROUP_3_93: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_94: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x5E);
+pub const SERVO_PARAMETER_GROUP_3_94: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x5E);
 
 /// Servo Parameter Group 3, `3002:5F`: INTEGER32, rw, not mapped.
 ///
@@ -3637,7 +3603,7 @@ pub const SERVO_PARAMETER_GROUP_3_94: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_95: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x5F);
+pub const SERVO_PARAMETER_GROUP_3_95: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x5F);
 
 /// Servo Parameter Group 3, `3002:60`: INTEGER32, rw, not mapped.
 ///
@@ -3645,7 +3611,7 @@ pub const SERVO_PARAMETER_GROUP_3_95: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_96: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x60);
+pub const SERVO_PARAMETER_GROUP_3_96: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x60);
 
 /// Servo Parameter Group 3, `3002:61`: INTEGER32, rw, not mapped.
 ///
@@ -3653,7 +3619,7 @@ pub const SERVO_PARAMETER_GROUP_3_96: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_97: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x61);
+pub const SERVO_PARAMETER_GROUP_3_97: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x61);
 
 /// Servo Parameter Group 3, `3002:62`: INTEGER32, rw, not mapped.
 ///
@@ -3661,7 +3627,7 @@ pub const SERVO_PARAMETER_GROUP_3_97: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_98: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x62);
+pub const SERVO_PARAMETER_GROUP_3_98: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x62);
 
 /// Servo Parameter Group 3, `3002:63`: INTEGER32, rw, not mapped.
 ///
@@ -3669,7 +3635,7 @@ pub const SERVO_PARAMETER_GROUP_3_98: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1275.
 #[doc(alias = "3002")]
-pub const SERVO_PARAMETER_GROUP_3_99: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3002, 0x63);
+pub const SERVO_PARAMETER_GROUP_3_99: Object<i32, Rw, Unmapped, Raw> = object(0x3002, 0x63);
 
 // 3003h Number of Servo Para Group4
 
@@ -3679,7 +3645,7 @@ pub const SERVO_PARAMETER_GROUP_3_99: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Default 99.
 /// Manual: 6.3 T6-3 L1276.
 #[doc(alias = "3003")]
-pub const NUMBER_OF_SERVO_PARA_GROUP4: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3003, 0x00);
+pub const NUMBER_OF_SERVO_PARA_GROUP4: Object<u8, Ro, Unmapped, Raw> = object(0x3003, 0x00);
 
 /// ECAT node ID, `3003:01`: INTEGER32, rw, not mapped.
 ///
@@ -3690,7 +3656,7 @@ pub const NUMBER_OF_SERVO_PARA_GROUP4: Object<u8, Ro, Unmapped, Raw> = Object::n
 /// Manual, the type, access and mapping: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
 #[doc(alias = "P4.01")]
-pub const ECAT_NODE_ID: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x01).range(1, 65_535);
+pub const ECAT_NODE_ID: Object<i32, Rw, Unmapped, Raw> = ranged(0x3003, 0x01, 1, 65_535);
 
 /// ECAT node ID setting, `3003:02`: INTEGER32, rw, not mapped.
 ///
@@ -3702,7 +3668,7 @@ pub const ECAT_NODE_ID: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0
 #[doc(alias = "3003")]
 #[doc(alias = "P4.02")]
 pub const ECAT_NODE_ID_SETTING: Object<enums::NodeIdSetting, Rw, Unmapped, Raw> =
-    Object::new(0x3003, 0x02).allow(&[0, 1]);
+    object(0x3003, 0x02).allow(&[0, 1]);
 
 /// Data synchronization Detection setting, `3003:03`: INTEGER32, rw, not mapped.
 ///
@@ -3716,7 +3682,7 @@ pub const ECAT_NODE_ID_SETTING: Object<enums::NodeIdSetting, Rw, Unmapped, Raw> 
 #[doc(alias = "3003")]
 #[doc(alias = "P4.03")]
 pub const DATA_SYNCHRONIZATION_DETECTION_SETTING: Object<enums::DataSynchronizationDetection, Rw, Unmapped, Raw> =
-    Object::new(0x3003, 0x03).range(0, 99);
+    ranged(0x3003, 0x03, 0, 99);
 
 /// Data Loss Processing Settings, `3003:04`: INTEGER32, rw, not mapped.
 ///
@@ -3728,7 +3694,7 @@ pub const DATA_SYNCHRONIZATION_DETECTION_SETTING: Object<enums::DataSynchronizat
 #[doc(alias = "3003")]
 #[doc(alias = "P4.04")]
 pub const DATA_LOSS_PROCESSING_SETTINGS: Object<enums::DataLossProcessing, Rw, Unmapped, Raw> =
-    Object::new(0x3003, 0x04).allow(&[0, 1]);
+    object(0x3003, 0x04).allow(&[0, 1]);
 
 /// Servo Parameter Group 4, `3003:05`: INTEGER32, rw, not mapped.
 ///
@@ -3736,7 +3702,7 @@ pub const DATA_LOSS_PROCESSING_SETTINGS: Object<enums::DataLossProcessing, Rw, U
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_5: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x05);
+pub const SERVO_PARAMETER_GROUP_4_5: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x05);
 
 /// Servo Parameter Group 4, `3003:06`: INTEGER32, rw, not mapped.
 ///
@@ -3744,7 +3710,7 @@ pub const SERVO_PARAMETER_GROUP_4_5: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_6: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x06);
+pub const SERVO_PARAMETER_GROUP_4_6: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x06);
 
 /// Servo Parameter Group 4, `3003:07`: INTEGER32, rw, not mapped.
 ///
@@ -3752,7 +3718,7 @@ pub const SERVO_PARAMETER_GROUP_4_6: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_7: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x07);
+pub const SERVO_PARAMETER_GROUP_4_7: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x07);
 
 /// Servo Parameter Group 4, `3003:08`: INTEGER32, rw, not mapped.
 ///
@@ -3760,7 +3726,7 @@ pub const SERVO_PARAMETER_GROUP_4_7: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_8: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x08);
+pub const SERVO_PARAMETER_GROUP_4_8: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x08);
 
 /// Input shift time setting, `3003:09`: INTEGER32, rw, not mapped.
 ///
@@ -3776,8 +3742,7 @@ pub const SERVO_PARAMETER_GROUP_4_8: Object<i32, Rw, Unmapped, Raw> = Object::ne
 /// Erratum E108, effect: printed "power cycle". In 2.4 the parameter has no mark of those that wait for power-on. 3.5.1 says so in words. Kept.
 #[doc(alias = "3003")]
 #[doc(alias = "P4.09")]
-pub const INPUT_SHIFT_TIME_SETTING: Object<i32, Rw, Unmapped, Raw> =
-    Object::new(0x3003, 0x09).range(0, 160);
+pub const INPUT_SHIFT_TIME_SETTING: Object<i32, Rw, Unmapped, Raw> = ranged(0x3003, 0x09, 0, 160);
 
 /// Servo Parameter Group 4, `3003:0A`: INTEGER32, rw, not mapped.
 ///
@@ -3785,7 +3750,7 @@ pub const INPUT_SHIFT_TIME_SETTING: Object<i32, Rw, Unmapped, Raw> =
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_10: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0A);
+pub const SERVO_PARAMETER_GROUP_4_10: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x0A);
 
 /// Servo Parameter Group 4, `3003:0B`: INTEGER32, rw, not mapped.
 ///
@@ -3793,7 +3758,7 @@ pub const SERVO_PARAMETER_GROUP_4_10: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_11: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0B);
+pub const SERVO_PARAMETER_GROUP_4_11: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x0B);
 
 /// Servo Parameter Group 4, `3003:0C`: INTEGER32, rw, not mapped.
 ///
@@ -3801,7 +3766,7 @@ pub const SERVO_PARAMETER_GROUP_4_11: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_12: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0C);
+pub const SERVO_PARAMETER_GROUP_4_12: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x0C);
 
 /// Servo Parameter Group 4, `3003:0D`: INTEGER32, rw, not mapped.
 ///
@@ -3809,7 +3774,7 @@ pub const SERVO_PARAMETER_GROUP_4_12: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_13: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0D);
+pub const SERVO_PARAMETER_GROUP_4_13: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x0D);
 
 /// Servo Parameter Group 4, `3003:0E`: INTEGER32, rw, not mapped.
 ///
@@ -3817,7 +3782,7 @@ pub const SERVO_PARAMETER_GROUP_4_13: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_14: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x0E);
+pub const SERVO_PARAMETER_GROUP_4_14: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x0E);
 
 /// Speed command format, `3003:0F`: INTEGER32, rw, not mapped.
 ///
@@ -3831,7 +3796,7 @@ pub const SERVO_PARAMETER_GROUP_4_14: Object<i32, Rw, Unmapped, Raw> = Object::n
 #[doc(alias = "3003")]
 #[doc(alias = "P4.15")]
 pub const SPEED_COMMAND_FORMAT: Object<enums::SpeedCommandFormat, Rw, Unmapped, Raw> =
-    Object::new(0x3003, 0x0F).allow(&[0, 1]);
+    object(0x3003, 0x0F).allow(&[0, 1]);
 
 /// Servo Parameter Group 4, `3003:10`: INTEGER32, rw, not mapped.
 ///
@@ -3839,7 +3804,7 @@ pub const SPEED_COMMAND_FORMAT: Object<enums::SpeedCommandFormat, Rw, Unmapped, 
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_16: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x10);
+pub const SERVO_PARAMETER_GROUP_4_16: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x10);
 
 /// Object monitoring, `3003:11`: INTEGER32, rw, not mapped.
 ///
@@ -3853,7 +3818,7 @@ pub const SERVO_PARAMETER_GROUP_4_16: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Erratum E109, text: printed "The object that panel page dp-12 shows: index in the upper 4 bytes, sub-index in the lower 2 bytes.", used "The object that panel page dp-12 shows: index in the upper 4 hexadecimal digits, sub-index in the lower 2.". Digits, not bytes: the default 604100h is 6041h and 00h, an index has 2 bytes, and every parameter has 4 bytes in all.
 #[doc(alias = "3003")]
 #[doc(alias = "P4.17")]
-pub const OBJECT_MONITORING: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x11);
+pub const OBJECT_MONITORING: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x11);
 
 /// Servo Parameter Group 4, `3003:12`: INTEGER32, rw, not mapped.
 ///
@@ -3861,7 +3826,7 @@ pub const OBJECT_MONITORING: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_18: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x12);
+pub const SERVO_PARAMETER_GROUP_4_18: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x12);
 
 /// Servo Parameter Group 4, `3003:13`: INTEGER32, rw, not mapped.
 ///
@@ -3869,7 +3834,7 @@ pub const SERVO_PARAMETER_GROUP_4_18: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_19: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x13);
+pub const SERVO_PARAMETER_GROUP_4_19: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x13);
 
 /// Servo Parameter Group 4, `3003:14`: INTEGER32, rw, not mapped.
 ///
@@ -3877,7 +3842,7 @@ pub const SERVO_PARAMETER_GROUP_4_19: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_20: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x14);
+pub const SERVO_PARAMETER_GROUP_4_20: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x14);
 
 /// Servo Parameter Group 4, `3003:15`: INTEGER32, rw, not mapped.
 ///
@@ -3885,7 +3850,7 @@ pub const SERVO_PARAMETER_GROUP_4_20: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_21: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x15);
+pub const SERVO_PARAMETER_GROUP_4_21: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x15);
 
 /// Servo Parameter Group 4, `3003:16`: INTEGER32, rw, not mapped.
 ///
@@ -3893,7 +3858,7 @@ pub const SERVO_PARAMETER_GROUP_4_21: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_22: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x16);
+pub const SERVO_PARAMETER_GROUP_4_22: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x16);
 
 /// Servo Parameter Group 4, `3003:17`: INTEGER32, rw, not mapped.
 ///
@@ -3901,7 +3866,7 @@ pub const SERVO_PARAMETER_GROUP_4_22: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_23: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x17);
+pub const SERVO_PARAMETER_GROUP_4_23: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x17);
 
 /// Servo Parameter Group 4, `3003:18`: INTEGER32, rw, not mapped.
 ///
@@ -3909,7 +3874,7 @@ pub const SERVO_PARAMETER_GROUP_4_23: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_24: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x18);
+pub const SERVO_PARAMETER_GROUP_4_24: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x18);
 
 /// Servo Parameter Group 4, `3003:19`: INTEGER32, rw, not mapped.
 ///
@@ -3917,7 +3882,7 @@ pub const SERVO_PARAMETER_GROUP_4_24: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_25: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x19);
+pub const SERVO_PARAMETER_GROUP_4_25: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x19);
 
 /// Servo Parameter Group 4, `3003:1A`: INTEGER32, rw, not mapped.
 ///
@@ -3925,7 +3890,7 @@ pub const SERVO_PARAMETER_GROUP_4_25: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_26: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x1A);
+pub const SERVO_PARAMETER_GROUP_4_26: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x1A);
 
 /// Servo Parameter Group 4, `3003:1B`: INTEGER32, rw, not mapped.
 ///
@@ -3933,7 +3898,7 @@ pub const SERVO_PARAMETER_GROUP_4_26: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_27: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x1B);
+pub const SERVO_PARAMETER_GROUP_4_27: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x1B);
 
 /// Servo Parameter Group 4, `3003:1C`: INTEGER32, rw, not mapped.
 ///
@@ -3941,7 +3906,7 @@ pub const SERVO_PARAMETER_GROUP_4_27: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_28: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x1C);
+pub const SERVO_PARAMETER_GROUP_4_28: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x1C);
 
 /// Servo Parameter Group 4, `3003:1D`: INTEGER32, rw, not mapped.
 ///
@@ -3949,7 +3914,7 @@ pub const SERVO_PARAMETER_GROUP_4_28: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_29: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x1D);
+pub const SERVO_PARAMETER_GROUP_4_29: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x1D);
 
 /// Servo Parameter Group 4, `3003:1E`: INTEGER32, rw, not mapped.
 ///
@@ -3957,7 +3922,7 @@ pub const SERVO_PARAMETER_GROUP_4_29: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_30: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x1E);
+pub const SERVO_PARAMETER_GROUP_4_30: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x1E);
 
 /// Servo Parameter Group 4, `3003:1F`: INTEGER32, rw, not mapped.
 ///
@@ -3965,7 +3930,7 @@ pub const SERVO_PARAMETER_GROUP_4_30: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_31: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x1F);
+pub const SERVO_PARAMETER_GROUP_4_31: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x1F);
 
 /// Servo Parameter Group 4, `3003:20`: INTEGER32, rw, not mapped.
 ///
@@ -3973,7 +3938,7 @@ pub const SERVO_PARAMETER_GROUP_4_31: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_32: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x20);
+pub const SERVO_PARAMETER_GROUP_4_32: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x20);
 
 /// Servo Parameter Group 4, `3003:21`: INTEGER32, rw, not mapped.
 ///
@@ -3981,7 +3946,7 @@ pub const SERVO_PARAMETER_GROUP_4_32: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_33: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x21);
+pub const SERVO_PARAMETER_GROUP_4_33: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x21);
 
 /// Servo Parameter Group 4, `3003:22`: INTEGER32, rw, not mapped.
 ///
@@ -3989,7 +3954,7 @@ pub const SERVO_PARAMETER_GROUP_4_33: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_34: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x22);
+pub const SERVO_PARAMETER_GROUP_4_34: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x22);
 
 /// Servo Parameter Group 4, `3003:23`: INTEGER32, rw, not mapped.
 ///
@@ -3997,7 +3962,7 @@ pub const SERVO_PARAMETER_GROUP_4_34: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_35: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x23);
+pub const SERVO_PARAMETER_GROUP_4_35: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x23);
 
 /// Servo Parameter Group 4, `3003:24`: INTEGER32, rw, not mapped.
 ///
@@ -4005,7 +3970,7 @@ pub const SERVO_PARAMETER_GROUP_4_35: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_36: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x24);
+pub const SERVO_PARAMETER_GROUP_4_36: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x24);
 
 /// Servo Parameter Group 4, `3003:25`: INTEGER32, rw, not mapped.
 ///
@@ -4013,7 +3978,7 @@ pub const SERVO_PARAMETER_GROUP_4_36: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_37: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x25);
+pub const SERVO_PARAMETER_GROUP_4_37: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x25);
 
 /// Servo Parameter Group 4, `3003:26`: INTEGER32, rw, not mapped.
 ///
@@ -4021,7 +3986,7 @@ pub const SERVO_PARAMETER_GROUP_4_37: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_38: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x26);
+pub const SERVO_PARAMETER_GROUP_4_38: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x26);
 
 /// Servo Parameter Group 4, `3003:27`: INTEGER32, rw, not mapped.
 ///
@@ -4029,7 +3994,7 @@ pub const SERVO_PARAMETER_GROUP_4_38: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_39: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x27);
+pub const SERVO_PARAMETER_GROUP_4_39: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x27);
 
 /// Servo Parameter Group 4, `3003:28`: INTEGER32, rw, not mapped.
 ///
@@ -4037,7 +4002,7 @@ pub const SERVO_PARAMETER_GROUP_4_39: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_40: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x28);
+pub const SERVO_PARAMETER_GROUP_4_40: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x28);
 
 /// Servo Parameter Group 4, `3003:29`: INTEGER32, rw, not mapped.
 ///
@@ -4045,7 +4010,7 @@ pub const SERVO_PARAMETER_GROUP_4_40: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_41: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x29);
+pub const SERVO_PARAMETER_GROUP_4_41: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x29);
 
 /// Servo Parameter Group 4, `3003:2A`: INTEGER32, rw, not mapped.
 ///
@@ -4053,7 +4018,7 @@ pub const SERVO_PARAMETER_GROUP_4_41: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_42: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x2A);
+pub const SERVO_PARAMETER_GROUP_4_42: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x2A);
 
 /// Servo Parameter Group 4, `3003:2B`: INTEGER32, rw, not mapped.
 ///
@@ -4061,7 +4026,7 @@ pub const SERVO_PARAMETER_GROUP_4_42: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_43: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x2B);
+pub const SERVO_PARAMETER_GROUP_4_43: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x2B);
 
 /// Servo Parameter Group 4, `3003:2C`: INTEGER32, rw, not mapped.
 ///
@@ -4069,7 +4034,7 @@ pub const SERVO_PARAMETER_GROUP_4_43: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_44: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x2C);
+pub const SERVO_PARAMETER_GROUP_4_44: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x2C);
 
 /// Servo Parameter Group 4, `3003:2D`: INTEGER32, rw, not mapped.
 ///
@@ -4077,7 +4042,7 @@ pub const SERVO_PARAMETER_GROUP_4_44: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_45: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x2D);
+pub const SERVO_PARAMETER_GROUP_4_45: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x2D);
 
 /// Servo Parameter Group 4, `3003:2E`: INTEGER32, rw, not mapped.
 ///
@@ -4085,7 +4050,7 @@ pub const SERVO_PARAMETER_GROUP_4_45: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_46: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x2E);
+pub const SERVO_PARAMETER_GROUP_4_46: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x2E);
 
 /// Servo Parameter Group 4, `3003:2F`: INTEGER32, rw, not mapped.
 ///
@@ -4093,7 +4058,7 @@ pub const SERVO_PARAMETER_GROUP_4_46: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_47: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x2F);
+pub const SERVO_PARAMETER_GROUP_4_47: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x2F);
 
 /// Servo Parameter Group 4, `3003:30`: INTEGER32, rw, not mapped.
 ///
@@ -4101,7 +4066,7 @@ pub const SERVO_PARAMETER_GROUP_4_47: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_48: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x30);
+pub const SERVO_PARAMETER_GROUP_4_48: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x30);
 
 /// Servo Parameter Group 4, `3003:31`: INTEGER32, rw, not mapped.
 ///
@@ -4109,7 +4074,7 @@ pub const SERVO_PARAMETER_GROUP_4_48: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_49: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x31);
+pub const SERVO_PARAMETER_GROUP_4_49: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x31);
 
 /// Servo Parameter Group 4, `3003:32`: INTEGER32, rw, not mapped.
 ///
@@ -4117,7 +4082,7 @@ pub const SERVO_PARAMETER_GROUP_4_49: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_50: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x32);
+pub const SERVO_PARAMETER_GROUP_4_50: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x32);
 
 /// Servo Parameter Group 4, `3003:33`: INTEGER32, rw, not mapped.
 ///
@@ -4125,7 +4090,7 @@ pub const SERVO_PARAMETER_GROUP_4_50: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_51: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x33);
+pub const SERVO_PARAMETER_GROUP_4_51: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x33);
 
 /// Servo Parameter Group 4, `3003:34`: INTEGER32, rw, not mapped.
 ///
@@ -4133,7 +4098,7 @@ pub const SERVO_PARAMETER_GROUP_4_51: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_52: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x34);
+pub const SERVO_PARAMETER_GROUP_4_52: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x34);
 
 /// Servo Parameter Group 4, `3003:35`: INTEGER32, rw, not mapped.
 ///
@@ -4141,7 +4106,7 @@ pub const SERVO_PARAMETER_GROUP_4_52: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_53: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x35);
+pub const SERVO_PARAMETER_GROUP_4_53: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x35);
 
 /// Servo Parameter Group 4, `3003:36`: INTEGER32, rw, not mapped.
 ///
@@ -4149,7 +4114,7 @@ pub const SERVO_PARAMETER_GROUP_4_53: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_54: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x36);
+pub const SERVO_PARAMETER_GROUP_4_54: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x36);
 
 /// Servo Parameter Group 4, `3003:37`: INTEGER32, rw, not mapped.
 ///
@@ -4157,7 +4122,7 @@ pub const SERVO_PARAMETER_GROUP_4_54: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_55: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x37);
+pub const SERVO_PARAMETER_GROUP_4_55: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x37);
 
 /// Servo Parameter Group 4, `3003:38`: INTEGER32, rw, not mapped.
 ///
@@ -4165,7 +4130,7 @@ pub const SERVO_PARAMETER_GROUP_4_55: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_56: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x38);
+pub const SERVO_PARAMETER_GROUP_4_56: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x38);
 
 /// Servo Parameter Group 4, `3003:39`: INTEGER32, rw, not mapped.
 ///
@@ -4173,7 +4138,7 @@ pub const SERVO_PARAMETER_GROUP_4_56: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_57: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x39);
+pub const SERVO_PARAMETER_GROUP_4_57: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x39);
 
 /// Servo Parameter Group 4, `3003:3A`: INTEGER32, rw, not mapped.
 ///
@@ -4181,7 +4146,7 @@ pub const SERVO_PARAMETER_GROUP_4_57: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_58: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x3A);
+pub const SERVO_PARAMETER_GROUP_4_58: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x3A);
 
 /// Servo Parameter Group 4, `3003:3B`: INTEGER32, rw, not mapped.
 ///
@@ -4189,7 +4154,7 @@ pub const SERVO_PARAMETER_GROUP_4_58: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_59: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x3B);
+pub const SERVO_PARAMETER_GROUP_4_59: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x3B);
 
 /// Servo Parameter Group 4, `3003:3C`: INTEGER32, rw, not mapped.
 ///
@@ -4197,7 +4162,7 @@ pub const SERVO_PARAMETER_GROUP_4_59: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_60: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x3C);
+pub const SERVO_PARAMETER_GROUP_4_60: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x3C);
 
 /// Servo Parameter Group 4, `3003:3D`: INTEGER32, rw, not mapped.
 ///
@@ -4205,7 +4170,7 @@ pub const SERVO_PARAMETER_GROUP_4_60: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_61: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x3D);
+pub const SERVO_PARAMETER_GROUP_4_61: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x3D);
 
 /// Servo Parameter Group 4, `3003:3E`: INTEGER32, rw, not mapped.
 ///
@@ -4213,7 +4178,7 @@ pub const SERVO_PARAMETER_GROUP_4_61: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_62: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x3E);
+pub const SERVO_PARAMETER_GROUP_4_62: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x3E);
 
 /// Servo Parameter Group 4, `3003:3F`: INTEGER32, rw, not mapped.
 ///
@@ -4221,7 +4186,7 @@ pub const SERVO_PARAMETER_GROUP_4_62: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_63: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x3F);
+pub const SERVO_PARAMETER_GROUP_4_63: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x3F);
 
 /// Servo Parameter Group 4, `3003:40`: INTEGER32, rw, not mapped.
 ///
@@ -4229,7 +4194,7 @@ pub const SERVO_PARAMETER_GROUP_4_63: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_64: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x40);
+pub const SERVO_PARAMETER_GROUP_4_64: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x40);
 
 /// Servo Parameter Group 4, `3003:41`: INTEGER32, rw, not mapped.
 ///
@@ -4237,7 +4202,7 @@ pub const SERVO_PARAMETER_GROUP_4_64: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_65: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x41);
+pub const SERVO_PARAMETER_GROUP_4_65: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x41);
 
 /// Servo Parameter Group 4, `3003:42`: INTEGER32, rw, not mapped.
 ///
@@ -4245,7 +4210,7 @@ pub const SERVO_PARAMETER_GROUP_4_65: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_66: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x42);
+pub const SERVO_PARAMETER_GROUP_4_66: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x42);
 
 /// Servo Parameter Group 4, `3003:43`: INTEGER32, rw, not mapped.
 ///
@@ -4253,7 +4218,7 @@ pub const SERVO_PARAMETER_GROUP_4_66: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_67: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x43);
+pub const SERVO_PARAMETER_GROUP_4_67: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x43);
 
 /// Servo Parameter Group 4, `3003:44`: INTEGER32, rw, not mapped.
 ///
@@ -4261,7 +4226,7 @@ pub const SERVO_PARAMETER_GROUP_4_67: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_68: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x44);
+pub const SERVO_PARAMETER_GROUP_4_68: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x44);
 
 /// Servo Parameter Group 4, `3003:45`: INTEGER32, rw, not mapped.
 ///
@@ -4269,7 +4234,7 @@ pub const SERVO_PARAMETER_GROUP_4_68: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_69: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x45);
+pub const SERVO_PARAMETER_GROUP_4_69: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x45);
 
 /// Servo Parameter Group 4, `3003:46`: INTEGER32, rw, not mapped.
 ///
@@ -4277,7 +4242,7 @@ pub const SERVO_PARAMETER_GROUP_4_69: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_70: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x46);
+pub const SERVO_PARAMETER_GROUP_4_70: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x46);
 
 /// Servo Parameter Group 4, `3003:47`: INTEGER32, rw, not mapped.
 ///
@@ -4285,7 +4250,7 @@ pub const SERVO_PARAMETER_GROUP_4_70: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_71: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x47);
+pub const SERVO_PARAMETER_GROUP_4_71: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x47);
 
 /// Servo Parameter Group 4, `3003:48`: INTEGER32, rw, not mapped.
 ///
@@ -4293,7 +4258,7 @@ pub const SERVO_PARAMETER_GROUP_4_71: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_72: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x48);
+pub const SERVO_PARAMETER_GROUP_4_72: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x48);
 
 /// Servo Parameter Group 4, `3003:49`: INTEGER32, rw, not mapped.
 ///
@@ -4301,7 +4266,7 @@ pub const SERVO_PARAMETER_GROUP_4_72: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_73: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x49);
+pub const SERVO_PARAMETER_GROUP_4_73: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x49);
 
 /// Servo Parameter Group 4, `3003:4A`: INTEGER32, rw, not mapped.
 ///
@@ -4309,7 +4274,7 @@ pub const SERVO_PARAMETER_GROUP_4_73: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_74: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x4A);
+pub const SERVO_PARAMETER_GROUP_4_74: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x4A);
 
 /// Servo Parameter Group 4, `3003:4B`: INTEGER32, rw, not mapped.
 ///
@@ -4317,7 +4282,7 @@ pub const SERVO_PARAMETER_GROUP_4_74: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_75: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x4B);
+pub const SERVO_PARAMETER_GROUP_4_75: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x4B);
 
 /// Servo Parameter Group 4, `3003:4C`: INTEGER32, rw, not mapped.
 ///
@@ -4325,7 +4290,7 @@ pub const SERVO_PARAMETER_GROUP_4_75: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_76: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x4C);
+pub const SERVO_PARAMETER_GROUP_4_76: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x4C);
 
 /// Servo Parameter Group 4, `3003:4D`: INTEGER32, rw, not mapped.
 ///
@@ -4333,7 +4298,7 @@ pub const SERVO_PARAMETER_GROUP_4_76: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_77: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x4D);
+pub const SERVO_PARAMETER_GROUP_4_77: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x4D);
 
 /// Servo Parameter Group 4, `3003:4E`: INTEGER32, rw, not mapped.
 ///
@@ -4341,7 +4306,7 @@ pub const SERVO_PARAMETER_GROUP_4_77: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_78: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x4E);
+pub const SERVO_PARAMETER_GROUP_4_78: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x4E);
 
 /// Servo Parameter Group 4, `3003:4F`: INTEGER32, rw, not mapped.
 ///
@@ -4349,7 +4314,7 @@ pub const SERVO_PARAMETER_GROUP_4_78: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_79: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x4F);
+pub const SERVO_PARAMETER_GROUP_4_79: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x4F);
 
 /// Servo Parameter Group 4, `3003:50`: INTEGER32, rw, not mapped.
 ///
@@ -4357,7 +4322,7 @@ pub const SERVO_PARAMETER_GROUP_4_79: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_80: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x50);
+pub const SERVO_PARAMETER_GROUP_4_80: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x50);
 
 /// Servo Parameter Group 4, `3003:51`: INTEGER32, rw, not mapped.
 ///
@@ -4365,7 +4330,7 @@ pub const SERVO_PARAMETER_GROUP_4_80: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_81: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x51);
+pub const SERVO_PARAMETER_GROUP_4_81: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x51);
 
 /// Servo Parameter Group 4, `3003:52`: INTEGER32, rw, not mapped.
 ///
@@ -4373,7 +4338,7 @@ pub const SERVO_PARAMETER_GROUP_4_81: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_82: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x52);
+pub const SERVO_PARAMETER_GROUP_4_82: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x52);
 
 /// Servo Parameter Group 4, `3003:53`: INTEGER32, rw, not mapped.
 ///
@@ -4381,7 +4346,7 @@ pub const SERVO_PARAMETER_GROUP_4_82: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_83: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x53);
+pub const SERVO_PARAMETER_GROUP_4_83: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x53);
 
 /// Servo Parameter Group 4, `3003:54`: INTEGER32, rw, not mapped.
 ///
@@ -4389,7 +4354,7 @@ pub const SERVO_PARAMETER_GROUP_4_83: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_84: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x54);
+pub const SERVO_PARAMETER_GROUP_4_84: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x54);
 
 /// Servo Parameter Group 4, `3003:55`: INTEGER32, rw, not mapped.
 ///
@@ -4397,7 +4362,7 @@ pub const SERVO_PARAMETER_GROUP_4_84: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_85: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x55);
+pub const SERVO_PARAMETER_GROUP_4_85: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x55);
 
 /// Servo Parameter Group 4, `3003:56`: INTEGER32, rw, not mapped.
 ///
@@ -4405,7 +4370,7 @@ pub const SERVO_PARAMETER_GROUP_4_85: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_86: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x56);
+pub const SERVO_PARAMETER_GROUP_4_86: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x56);
 
 /// Servo Parameter Group 4, `3003:57`: INTEGER32, rw, not mapped.
 ///
@@ -4413,7 +4378,7 @@ pub const SERVO_PARAMETER_GROUP_4_86: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_87: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x57);
+pub const SERVO_PARAMETER_GROUP_4_87: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x57);
 
 /// Servo Parameter Group 4, `3003:58`: INTEGER32, rw, not mapped.
 ///
@@ -4421,7 +4386,7 @@ pub const SERVO_PARAMETER_GROUP_4_87: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_88: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x58);
+pub const SERVO_PARAMETER_GROUP_4_88: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x58);
 
 /// Servo Parameter Group 4, `3003:59`: INTEGER32, rw, not mapped.
 ///
@@ -4429,7 +4394,7 @@ pub const SERVO_PARAMETER_GROUP_4_88: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_89: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x59);
+pub const SERVO_PARAMETER_GROUP_4_89: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x59);
 
 /// Servo Parameter Group 4, `3003:5A`: INTEGER32, rw, not mapped.
 ///
@@ -4437,7 +4402,7 @@ pub const SERVO_PARAMETER_GROUP_4_89: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_90: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x5A);
+pub const SERVO_PARAMETER_GROUP_4_90: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x5A);
 
 /// Servo Parameter Group 4, `3003:5B`: INTEGER32, rw, not mapped.
 ///
@@ -4445,7 +4410,7 @@ pub const SERVO_PARAMETER_GROUP_4_90: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_91: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x5B);
+pub const SERVO_PARAMETER_GROUP_4_91: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x5B);
 
 /// Servo Parameter Group 4, `3003:5C`: INTEGER32, rw, not mapped.
 ///
@@ -4453,7 +4418,7 @@ pub const SERVO_PARAMETER_GROUP_4_91: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_92: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x5C);
+pub const SERVO_PARAMETER_GROUP_4_92: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x5C);
 
 /// Servo Parameter Group 4, `3003:5D`: INTEGER32, rw, not mapped.
 ///
@@ -4461,7 +4426,7 @@ pub const SERVO_PARAMETER_GROUP_4_92: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_93: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x5D);
+pub const SERVO_PARAMETER_GROUP_4_93: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x5D);
 
 /// Servo Parameter Group 4, `3003:5E`: INTEGER32, rw, not mapped.
 ///
@@ -4469,7 +4434,7 @@ pub const SERVO_PARAMETER_GROUP_4_93: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_94: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x5E);
+pub const SERVO_PARAMETER_GROUP_4_94: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x5E);
 
 /// Servo Parameter Group 4, `3003:5F`: INTEGER32, rw, not mapped.
 ///
@@ -4477,7 +4442,7 @@ pub const SERVO_PARAMETER_GROUP_4_94: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_95: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x5F);
+pub const SERVO_PARAMETER_GROUP_4_95: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x5F);
 
 /// Servo Parameter Group 4, `3003:60`: INTEGER32, rw, not mapped.
 ///
@@ -4485,7 +4450,7 @@ pub const SERVO_PARAMETER_GROUP_4_95: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_96: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x60);
+pub const SERVO_PARAMETER_GROUP_4_96: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x60);
 
 /// Servo Parameter Group 4, `3003:61`: INTEGER32, rw, not mapped.
 ///
@@ -4493,7 +4458,7 @@ pub const SERVO_PARAMETER_GROUP_4_96: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_97: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x61);
+pub const SERVO_PARAMETER_GROUP_4_97: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x61);
 
 /// Servo Parameter Group 4, `3003:62`: INTEGER32, rw, not mapped.
 ///
@@ -4501,7 +4466,7 @@ pub const SERVO_PARAMETER_GROUP_4_97: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_98: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x62);
+pub const SERVO_PARAMETER_GROUP_4_98: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x62);
 
 /// Servo Parameter Group 4, `3003:63`: INTEGER32, rw, not mapped.
 ///
@@ -4509,7 +4474,7 @@ pub const SERVO_PARAMETER_GROUP_4_98: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Note: Range and default are those of the parameter, in the drive manual.
 /// Manual: 6.3 T6-3 L1277.
 #[doc(alias = "3003")]
-pub const SERVO_PARAMETER_GROUP_4_99: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3003, 0x63);
+pub const SERVO_PARAMETER_GROUP_4_99: Object<i32, Rw, Unmapped, Raw> = object(0x3003, 0x63);
 
 // 3100h Number of Monitor Data
 
@@ -4519,28 +4484,28 @@ pub const SERVO_PARAMETER_GROUP_4_99: Object<i32, Rw, Unmapped, Raw> = Object::n
 /// Default 18.
 /// Manual: 6.3 T6-3 L1278.
 #[doc(alias = "3100")]
-pub const NUMBER_OF_MONITOR_DATA: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3100, 0x00);
+pub const NUMBER_OF_MONITOR_DATA: Object<u8, Ro, Unmapped, Raw> = object(0x3100, 0x00);
 
 /// Feedback Speed, `3100:01`: INTEGER32, ro, not mapped.
 ///
 /// In rpm.
 /// Manual: 6.3 T6-3 L1279.
 #[doc(alias = "3100")]
-pub const FEEDBACK_SPEED: Object<i32, Ro, Unmapped, Velocity> = Object::new(0x3100, 0x01);
+pub const FEEDBACK_SPEED: Object<i32, Ro, Unmapped, Velocity> = object(0x3100, 0x01);
 
 /// Command Speed, `3100:02`: INTEGER32, ro, not mapped.
 ///
 /// In rpm.
 /// Manual: 6.3 T6-3 L1280.
 #[doc(alias = "3100")]
-pub const COMMAND_SPEED: Object<i32, Ro, Unmapped, Velocity> = Object::new(0x3100, 0x02);
+pub const COMMAND_SPEED: Object<i32, Ro, Unmapped, Velocity> = object(0x3100, 0x02);
 
 /// Command Torque, `3100:03`: INTEGER32, ro, not mapped.
 ///
 /// Note: The unit is printed as 0.01, without saying of what. 3201 has 1 % for this quantity (L1308).
 /// Manual: 6.3 T6-3 L1281.
 #[doc(alias = "3100")]
-pub const COMMAND_TORQUE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100, 0x03);
+pub const COMMAND_TORQUE: Object<i32, Ro, Unmapped, Raw> = object(0x3100, 0x03);
 
 /// Peak Torque, `3100:04`: INTEGER32, ro, not mapped.
 ///
@@ -4552,7 +4517,7 @@ pub const COMMAND_TORQUE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100, 0
 ///
 /// Erratum E046, name: printed "Peak Toque". Up to 16, P2.77 numbers what the panel shows as 3100h does, except that 4 is the motor current and 5 the peak torque. Kept; compare the two at the panel.
 #[doc(alias = "3100")]
-pub const PEAK_TORQUE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100, 0x04);
+pub const PEAK_TORQUE: Object<i32, Ro, Unmapped, Raw> = object(0x3100, 0x04);
 
 /// Motor Current, `3100:05`: INTEGER32, ro, not mapped.
 ///
@@ -4561,15 +4526,14 @@ pub const PEAK_TORQUE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100, 0x04
 ///
 /// Erratum E047, name: printed "Motor Current", kept. As for E046.
 #[doc(alias = "3100")]
-pub const MOTOR_CURRENT: Object<i32, Ro, Unmapped, Current> =
-    Object::new(0x3100, 0x05).scale(1, 10);
+pub const MOTOR_CURRENT: Object<i32, Ro, Unmapped, Current> = scaled(0x3100, 0x05, 1, 10);
 
 /// Effective Torque, `3100:06`: INTEGER32, ro, not mapped.
 ///
 /// Note: The unit is printed as 0.01, without saying of what. 3201 has 1 % for this quantity (L1310).
 /// Manual: 6.3 T6-3 L1284.
 #[doc(alias = "3100")]
-pub const EFFECTIVE_TORQUE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100, 0x06);
+pub const EFFECTIVE_TORQUE: Object<i32, Ro, Unmapped, Raw> = object(0x3100, 0x06);
 
 /// Feedback Position, `3100:07`: INTEGER32, ro, not mapped.
 ///
@@ -4579,7 +4543,7 @@ pub const EFFECTIVE_TORQUE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100,
 ///
 /// Erratum E043, name: printed "Feedback Postion", used "Feedback Position". A letter is lost.
 #[doc(alias = "3100")]
-pub const FEEDBACK_POSITION: Object<i32, Ro, Unmapped, UserPosition> = Object::new(0x3100, 0x07);
+pub const FEEDBACK_POSITION: Object<i32, Ro, Unmapped, UserPosition> = object(0x3100, 0x07);
 
 /// Command Position, `3100:08`: INTEGER32, ro, not mapped.
 ///
@@ -4589,7 +4553,7 @@ pub const FEEDBACK_POSITION: Object<i32, Ro, Unmapped, UserPosition> = Object::n
 ///
 /// Erratum E044, name: printed "Command Postion", used "Command Position". A letter is lost.
 #[doc(alias = "3100")]
-pub const COMMAND_POSITION: Object<i32, Ro, Unmapped, UserPosition> = Object::new(0x3100, 0x08);
+pub const COMMAND_POSITION: Object<i32, Ro, Unmapped, UserPosition> = object(0x3100, 0x08);
 
 /// Position Deviation, `3100:09`: INTEGER32, ro, not mapped.
 ///
@@ -4599,7 +4563,7 @@ pub const COMMAND_POSITION: Object<i32, Ro, Unmapped, UserPosition> = Object::ne
 ///
 /// Erratum E045, name: printed "Postion Deviation", used "Position Deviation". A letter is lost.
 #[doc(alias = "3100")]
-pub const POSITION_DEVIATION: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100, 0x09);
+pub const POSITION_DEVIATION: Object<i32, Ro, Unmapped, Raw> = object(0x3100, 0x09);
 
 /// Command Pulse Frequency, `3100:0A`: INTEGER32, ro, not mapped.
 ///
@@ -4609,14 +4573,14 @@ pub const POSITION_DEVIATION: Object<i32, Ro, Unmapped, Raw> = Object::new(0x310
 /// Erratum E048, name: printed "Command Pulse Frequency". The connector has no pulse input, and P2.77 skips this number: likely left from another drive of the series. Kept.
 #[doc(alias = "3100")]
 pub const COMMAND_PULSE_FREQUENCY: Object<i32, Ro, Unmapped, Frequency> =
-    Object::new(0x3100, 0x0A).scale(100, 1);
+    scaled(0x3100, 0x0A, 100, 1);
 
 /// Feedback Cumulative Pulse, `3100:0B`: INTEGER32, ro, not mapped.
 ///
 /// In count.
 /// Manual: 6.3 T6-3 L1289.
 #[doc(alias = "3100")]
-pub const FEEDBACK_CUMULATIVE_PULSE: Object<i32, Ro, Unmapped, Counts> = Object::new(0x3100, 0x0B);
+pub const FEEDBACK_CUMULATIVE_PULSE: Object<i32, Ro, Unmapped, Counts> = object(0x3100, 0x0B);
 
 /// Cumulative Input Pulse, `3100:0C`: INTEGER32, ro, not mapped.
 ///
@@ -4625,35 +4589,35 @@ pub const FEEDBACK_CUMULATIVE_PULSE: Object<i32, Ro, Unmapped, Counts> = Object:
 ///
 /// Erratum E049, name: printed "Cumulative Input Pulse", kept. As for E048.
 #[doc(alias = "3100")]
-pub const CUMULATIVE_INPUT_PULSE: Object<i32, Ro, Unmapped, Counts> = Object::new(0x3100, 0x0C);
+pub const CUMULATIVE_INPUT_PULSE: Object<i32, Ro, Unmapped, Counts> = object(0x3100, 0x0C);
 
 /// LS-Z Pulse, `3100:0D`: INTEGER32, ro, not mapped.
 ///
 /// In count.
 /// Manual: 6.3 T6-3 L1291.
 #[doc(alias = "3100")]
-pub const LS_Z_PULSE: Object<i32, Ro, Unmapped, Counts> = Object::new(0x3100, 0x0D);
+pub const LS_Z_PULSE: Object<i32, Ro, Unmapped, Counts> = object(0x3100, 0x0D);
 
 /// Load Inertia Ratio, `3100:0E`: INTEGER32, ro, not mapped.
 ///
 /// Note: The cell of the unit is empty.
 /// Manual: 6.3 T6-3 L1292.
 #[doc(alias = "3100")]
-pub const LOAD_INERTIA_RATIO: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3100, 0x0E);
+pub const LOAD_INERTIA_RATIO: Object<i32, Ro, Unmapped, Raw> = object(0x3100, 0x0E);
 
 /// DC Link Voltage(max.), `3100:0F`: INTEGER32, ro, not mapped.
 ///
 /// In V.
 /// Manual: 6.3 T6-3 L1293.
 #[doc(alias = "3100")]
-pub const DC_LINK_VOLTAGE_MAX: Object<i32, Ro, Unmapped, Voltage> = Object::new(0x3100, 0x0F);
+pub const DC_LINK_VOLTAGE_MAX: Object<i32, Ro, Unmapped, Voltage> = object(0x3100, 0x0F);
 
 /// DC Link Voltage(min.), `3100:10`: INTEGER32, ro, not mapped.
 ///
 /// In V.
 /// Manual: 6.3 T6-3 L1294.
 #[doc(alias = "3100")]
-pub const DC_LINK_VOLTAGE_MIN: Object<i32, Ro, Unmapped, Voltage> = Object::new(0x3100, 0x10);
+pub const DC_LINK_VOLTAGE_MIN: Object<i32, Ro, Unmapped, Voltage> = object(0x3100, 0x10);
 
 /// VREF Input Voltage, `3100:11`: INTEGER32, ro, not mapped.
 ///
@@ -4662,8 +4626,7 @@ pub const DC_LINK_VOLTAGE_MIN: Object<i32, Ro, Unmapped, Voltage> = Object::new(
 ///
 /// Erratum E050, name: printed "VREF Input Voltage", kept. As for E048: the connector has no analog input.
 #[doc(alias = "3100")]
-pub const VREF_INPUT_VOLTAGE: Object<i32, Ro, Unmapped, Voltage> =
-    Object::new(0x3100, 0x11).scale(1, 100);
+pub const VREF_INPUT_VOLTAGE: Object<i32, Ro, Unmapped, Voltage> = scaled(0x3100, 0x11, 1, 100);
 
 /// TREF Input Voltage, `3100:12`: INTEGER32, ro, not mapped.
 ///
@@ -4675,8 +4638,7 @@ pub const VREF_INPUT_VOLTAGE: Object<i32, Ro, Unmapped, Voltage> =
 ///
 /// Erratum E051, name: printed "TREF Input Voltage", kept. As for E050.
 #[doc(alias = "3100")]
-pub const TREF_INPUT_VOLTAGE: Object<i32, Ro, Unmapped, Voltage> =
-    Object::new(0x3100, 0x12).scale(1, 100);
+pub const TREF_INPUT_VOLTAGE: Object<i32, Ro, Unmapped, Voltage> = scaled(0x3100, 0x12, 1, 100);
 
 /// Alarm Record Select, `3200:00`: UNSIGNED8, rw, not mapped.
 ///
@@ -4684,8 +4646,7 @@ pub const TREF_INPUT_VOLTAGE: Object<i32, Ro, Unmapped, Voltage> =
 /// 1 to 20; default 1.
 /// Manual: 6.3 T6-3 L1297, 6.3.3 L1355.
 #[doc(alias = "3200")]
-pub const ALARM_RECORD_SELECT: Object<u8, Rw, Unmapped, Raw> =
-    Object::new(0x3200, 0x00).range(1, 20);
+pub const ALARM_RECORD_SELECT: Object<u8, Rw, Unmapped, Raw> = ranged(0x3200, 0x00, 1, 20);
 
 // 3201h Number of Alarm Record
 
@@ -4695,8 +4656,7 @@ pub const ALARM_RECORD_SELECT: Object<u8, Rw, Unmapped, Raw> =
 /// Always 14.
 /// Manual: 6.3 T6-3 L1300.
 #[doc(alias = "3201")]
-pub const NUMBER_OF_ALARM_RECORD: Object<u8, Ro, Unmapped, Raw> =
-    Object::new(0x3201, 0x00).range(14, 14);
+pub const NUMBER_OF_ALARM_RECORD: Object<u8, Ro, Unmapped, Raw> = ranged(0x3201, 0x00, 14, 14);
 
 /// Alarm Code, `3201:01`: INTEGER32, ro, not mapped.
 ///
@@ -4705,7 +4665,7 @@ pub const NUMBER_OF_ALARM_RECORD: Object<u8, Ro, Unmapped, Raw> =
 ///
 /// Erratum E056, type: printed "i32". 3202 has alarm codes of 8 bits. Table 5-1 has codes of 16 bits and numbers of 8; which of them this is, is not said. Kept.
 #[doc(alias = "3201")]
-pub const ALARM_CODE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x01);
+pub const ALARM_CODE: Object<i32, Ro, Unmapped, Raw> = object(0x3201, 0x01);
 
 /// Total Time Main Power Supply, `3201:02`: INTEGER32, ro, not mapped.
 ///
@@ -4713,14 +4673,14 @@ pub const ALARM_CODE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x01)
 /// Manual: 6.3 T6-3 L1302.
 #[doc(alias = "3201")]
 pub const TOTAL_TIME_MAIN_POWER_SUPPLY: Object<i32, Ro, Unmapped, Time> =
-    Object::new(0x3201, 0x02).scale(3600, 1);
+    scaled(0x3201, 0x02, 3600, 1);
 
 /// Reserve, `3201:03`: INTEGER32, ro, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.3 T6-3 L1303.
 #[doc(alias = "3201")]
-pub const RESERVE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x03);
+pub const RESERVE: Object<i32, Ro, Unmapped, Raw> = object(0x3201, 0x03);
 
 /// Motor Running Time, `3201:04`: INTEGER32, ro, not mapped.
 ///
@@ -4731,31 +4691,28 @@ pub const RESERVE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x03);
 ///
 /// Erratum E052, name: printed "Motor Running Time". The note of 6.3.3 calls it the power-on time of the motor. Running and powered are not the same. Kept.
 #[doc(alias = "3201")]
-pub const MOTOR_RUNNING_TIME: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x04);
+pub const MOTOR_RUNNING_TIME: Object<i32, Ro, Unmapped, Raw> = object(0x3201, 0x04);
 
 /// Feedback Speed, `3201:05`: INTEGER32, ro, not mapped.
 ///
 /// In rpm; default 0.
 /// Manual: 6.3 T6-3 L1305.
 #[doc(alias = "3201")]
-pub const ALARM_RECORD_FEEDBACK_SPEED: Object<i32, Ro, Unmapped, Velocity> =
-    Object::new(0x3201, 0x05);
+pub const ALARM_RECORD_FEEDBACK_SPEED: Object<i32, Ro, Unmapped, Velocity> = object(0x3201, 0x05);
 
 /// Feedback Speed(5ms before), `3201:06`: INTEGER32, ro, not mapped.
 ///
 /// In rpm; default 0.
 /// Manual: 6.3 T6-3 L1306.
 #[doc(alias = "3201")]
-pub const FEEDBACK_SPEED_5MS_BEFORE: Object<i32, Ro, Unmapped, Velocity> =
-    Object::new(0x3201, 0x06);
+pub const FEEDBACK_SPEED_5MS_BEFORE: Object<i32, Ro, Unmapped, Velocity> = object(0x3201, 0x06);
 
 /// Command Speed, `3201:07`: INTEGER32, ro, not mapped.
 ///
 /// In rpm; default 0.
 /// Manual: 6.3 T6-3 L1307.
 #[doc(alias = "3201")]
-pub const ALARM_RECORD_COMMAND_SPEED: Object<i32, Ro, Unmapped, Velocity> =
-    Object::new(0x3201, 0x07);
+pub const ALARM_RECORD_COMMAND_SPEED: Object<i32, Ro, Unmapped, Velocity> = object(0x3201, 0x07);
 
 /// Command Torque, `3201:08`: INTEGER32, ro, not mapped.
 ///
@@ -4766,7 +4723,7 @@ pub const ALARM_RECORD_COMMAND_SPEED: Object<i32, Ro, Unmapped, Velocity> =
 /// Erratum E053, unit: printed "%". 3100 has a unit of 0.01 for the same quantity, and neither says of what. Kept.
 #[doc(alias = "3201")]
 pub const ALARM_RECORD_COMMAND_TORQUE: Object<i32, Ro, Unmapped, Ratio> =
-    Object::new(0x3201, 0x08).scale(1, 100);
+    scaled(0x3201, 0x08, 1, 100);
 
 /// Motor Current, `3201:09`: INTEGER32, ro, not mapped.
 ///
@@ -4777,7 +4734,7 @@ pub const ALARM_RECORD_COMMAND_TORQUE: Object<i32, Ro, Unmapped, Ratio> =
 /// Erratum E054, unit: printed "%". 3100 has the motor current in tenths of an ampere. Kept; the two are read with two units.
 #[doc(alias = "3201")]
 pub const ALARM_RECORD_MOTOR_CURRENT: Object<i32, Ro, Unmapped, Ratio> =
-    Object::new(0x3201, 0x09).scale(1, 100);
+    scaled(0x3201, 0x09, 1, 100);
 
 /// Effective Torque, `3201:0A`: INTEGER32, ro, not mapped.
 ///
@@ -4788,21 +4745,21 @@ pub const ALARM_RECORD_MOTOR_CURRENT: Object<i32, Ro, Unmapped, Ratio> =
 /// Erratum E055, unit: printed "%", kept. As for E053.
 #[doc(alias = "3201")]
 pub const ALARM_RECORD_EFFECTIVE_TORQUE: Object<i32, Ro, Unmapped, Ratio> =
-    Object::new(0x3201, 0x0A).scale(1, 100);
+    scaled(0x3201, 0x0A, 1, 100);
 
 /// DC Link Voltage, `3201:0B`: INTEGER32, ro, not mapped.
 ///
 /// In V; default 0.
 /// Manual: 6.3 T6-3 L1311.
 #[doc(alias = "3201")]
-pub const DC_LINK_VOLTAGE: Object<i32, Ro, Unmapped, Voltage> = Object::new(0x3201, 0x0B);
+pub const DC_LINK_VOLTAGE: Object<i32, Ro, Unmapped, Voltage> = object(0x3201, 0x0B);
 
 /// EC Error Count, `3201:0C`: INTEGER32, ro, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.3 T6-3 L1312.
 #[doc(alias = "3201")]
-pub const EC_ERROR_COUNT: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x0C);
+pub const EC_ERROR_COUNT: Object<i32, Ro, Unmapped, Raw> = object(0x3201, 0x0C);
 
 /// Command Position, `3201:0D`: INTEGER32, ro, not mapped.
 ///
@@ -4810,7 +4767,7 @@ pub const EC_ERROR_COUNT: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0
 /// Manual: 6.3 T6-3 L1313.
 #[doc(alias = "3201")]
 pub const ALARM_RECORD_COMMAND_POSITION: Object<i32, Ro, Unmapped, UserPosition> =
-    Object::new(0x3201, 0x0D);
+    object(0x3201, 0x0D);
 
 /// Sequence Mode, `3201:0E`: INTEGER32, ro, not mapped.
 ///
@@ -4820,7 +4777,7 @@ pub const ALARM_RECORD_COMMAND_POSITION: Object<i32, Ro, Unmapped, UserPosition>
 ///
 /// Erratum E042, default: printed 0, kept. The cells of the row are shifted by one to the left in the text extract: 0 stands under the range and the default is empty. Read like the row above it.
 #[doc(alias = "3201")]
-pub const SEQUENCE_MODE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x0E);
+pub const SEQUENCE_MODE: Object<i32, Ro, Unmapped, Raw> = object(0x3201, 0x0E);
 
 // 3202h The number of alarms that currently exist
 
@@ -4832,7 +4789,7 @@ pub const SEQUENCE_MODE: Object<i32, Ro, Unmapped, Raw> = Object::new(0x3201, 0x
 /// Erratum E057, default: printed 0. Sub-index 0 is the highest sub-index elsewhere, which is 10 here; this one counts the alarms that are present. Kept: name and section say so.
 #[doc(alias = "3202")]
 pub const THE_NUMBER_OF_ALARMS_THAT_CURRENTLY_EXIST: Object<u8, Ro, Unmapped, Raw> =
-    Object::new(0x3202, 0x00).range(0, 10);
+    ranged(0x3202, 0x00, 0, 10);
 
 /// Alarm code 1, `3202:01`: UNSIGNED8, ro, not mapped.
 ///
@@ -4844,70 +4801,70 @@ pub const THE_NUMBER_OF_ALARMS_THAT_CURRENTLY_EXIST: Object<u8, Ro, Unmapped, Ra
 ///
 /// Erratum E059, name: printed "Alarm code1", used "Alarm code 1". A space is lost; the rows below have it (L1317).
 #[doc(alias = "3202")]
-pub const ALARM_CODE_1: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x01);
+pub const ALARM_CODE_1: Object<u8, Ro, Unmapped, Raw> = object(0x3202, 0x01);
 
 /// Alarm code 2, `3202:02`: UNSIGNED8, ro, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.3 T6-3 L1317.
 #[doc(alias = "3202")]
-pub const ALARM_CODE_2: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x02);
+pub const ALARM_CODE_2: Object<u8, Ro, Unmapped, Raw> = object(0x3202, 0x02);
 
 /// Alarm code 3, `3202:03`: UNSIGNED8, ro, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.3 T6-3 L1318.
 #[doc(alias = "3202")]
-pub const ALARM_CODE_3: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x03);
+pub const ALARM_CODE_3: Object<u8, Ro, Unmapped, Raw> = object(0x3202, 0x03);
 
 /// Alarm code 4, `3202:04`: UNSIGNED8, ro, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.3 T6-3 L1319.
 #[doc(alias = "3202")]
-pub const ALARM_CODE_4: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x04);
+pub const ALARM_CODE_4: Object<u8, Ro, Unmapped, Raw> = object(0x3202, 0x04);
 
 /// Alarm code 5, `3202:05`: UNSIGNED8, ro, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.3 T6-3 L1320.
 #[doc(alias = "3202")]
-pub const ALARM_CODE_5: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x05);
+pub const ALARM_CODE_5: Object<u8, Ro, Unmapped, Raw> = object(0x3202, 0x05);
 
 /// Alarm code 6, `3202:06`: UNSIGNED8, ro, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.3 T6-3 L1321.
 #[doc(alias = "3202")]
-pub const ALARM_CODE_6: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x06);
+pub const ALARM_CODE_6: Object<u8, Ro, Unmapped, Raw> = object(0x3202, 0x06);
 
 /// Alarm code 7, `3202:07`: UNSIGNED8, ro, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.3 T6-3 L1322.
 #[doc(alias = "3202")]
-pub const ALARM_CODE_7: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x07);
+pub const ALARM_CODE_7: Object<u8, Ro, Unmapped, Raw> = object(0x3202, 0x07);
 
 /// Alarm code 8, `3202:08`: UNSIGNED8, ro, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.3 T6-3 L1323.
 #[doc(alias = "3202")]
-pub const ALARM_CODE_8: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x08);
+pub const ALARM_CODE_8: Object<u8, Ro, Unmapped, Raw> = object(0x3202, 0x08);
 
 /// Alarm code 9, `3202:09`: UNSIGNED8, ro, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.3 T6-3 L1324.
 #[doc(alias = "3202")]
-pub const ALARM_CODE_9: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x09);
+pub const ALARM_CODE_9: Object<u8, Ro, Unmapped, Raw> = object(0x3202, 0x09);
 
 /// Alarm code 10, `3202:0A`: UNSIGNED8, ro, not mapped.
 ///
 /// Default 0.
 /// Manual: 6.3 T6-3 L1325.
 #[doc(alias = "3202")]
-pub const ALARM_CODE_10: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x0A);
+pub const ALARM_CODE_10: Object<u8, Ro, Unmapped, Raw> = object(0x3202, 0x0A);
 
 // 4000h EI signal
 
@@ -4917,7 +4874,7 @@ pub const ALARM_CODE_10: Object<u8, Ro, Unmapped, Raw> = Object::new(0x3202, 0x0
 /// Default 2.
 /// Manual: 6.3 T6-3 L1326.
 #[doc(alias = "4000")]
-pub const EI_SIGNAL: Object<u8, Ro, Unmapped, Raw> = Object::new(0x4000, 0x00);
+pub const EI_SIGNAL: Object<u8, Ro, Unmapped, Raw> = object(0x4000, 0x00);
 
 /// Hardware EI signal, `4000:01`: UNSIGNED8, ro, TxPDO.
 ///
@@ -4927,7 +4884,7 @@ pub const EI_SIGNAL: Object<u8, Ro, Unmapped, Raw> = Object::new(0x4000, 0x00);
 ///
 /// Erratum E060, max: printed 255. The drive has five hardware inputs, so that three bits have none. Kept; the order of the bits is not printed.
 #[doc(alias = "4000")]
-pub const HARDWARE_EI_SIGNAL: Object<u8, Ro, Tx, Raw> = Object::new(0x4000, 0x01).range(0, 255);
+pub const HARDWARE_EI_SIGNAL: Object<u8, Ro, Tx, Raw> = ranged(0x4000, 0x01, 0, 255);
 
 /// Communication EI signal, `4000:02`: UNSIGNED16, rw, RxPDO and TxPDO.
 ///
@@ -4936,8 +4893,7 @@ pub const HARDWARE_EI_SIGNAL: Object<u8, Ro, Tx, Raw> = Object::new(0x4000, 0x01
 /// Manual: 6.3 T6-3 L1328, 6.3.4 L1365 L1369.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "4000")]
-pub const COMMUNICATION_EI_SIGNAL: Object<u16, Rw, RxTx, Raw> =
-    Object::new(0x4000, 0x02).range(0, 65_535);
+pub const COMMUNICATION_EI_SIGNAL: Object<u16, Rw, RxTx, Raw> = ranged(0x4000, 0x02, 0, 65_535);
 
 // 4001h EOUT signal
 
@@ -4947,7 +4903,7 @@ pub const COMMUNICATION_EI_SIGNAL: Object<u16, Rw, RxTx, Raw> =
 /// Default 2.
 /// Manual: 6.3 T6-3 L1329.
 #[doc(alias = "4001")]
-pub const EOUT_SIGNAL: Object<u8, Ro, Unmapped, Raw> = Object::new(0x4001, 0x00);
+pub const EOUT_SIGNAL: Object<u8, Ro, Unmapped, Raw> = object(0x4001, 0x00);
 
 /// Hardware EOUT signal, `4001:01`: UNSIGNED8, ro, TxPDO.
 ///
@@ -4957,7 +4913,7 @@ pub const EOUT_SIGNAL: Object<u8, Ro, Unmapped, Raw> = Object::new(0x4001, 0x00)
 ///
 /// Erratum E061, max: printed 255. The drive has three hardware outputs, so that five bits have none. Kept; the order of the bits is not printed.
 #[doc(alias = "4001")]
-pub const HARDWARE_EOUT_SIGNAL: Object<u8, Ro, Tx, Raw> = Object::new(0x4001, 0x01).range(0, 255);
+pub const HARDWARE_EOUT_SIGNAL: Object<u8, Ro, Tx, Raw> = ranged(0x4001, 0x01, 0, 255);
 
 /// Communication EOUT signal, `4001:02`: UNSIGNED16, ro, TxPDO.
 ///
@@ -4965,8 +4921,7 @@ pub const HARDWARE_EOUT_SIGNAL: Object<u8, Ro, Tx, Raw> = Object::new(0x4001, 0x
 /// 0 to 65535; default 0.
 /// Manual: 6.3 T6-3 L1331, 6.3.4 L1373.
 #[doc(alias = "4001")]
-pub const COMMUNICATION_EOUT_SIGNAL: Object<u16, Ro, Tx, Raw> =
-    Object::new(0x4001, 0x02).range(0, 65_535);
+pub const COMMUNICATION_EOUT_SIGNAL: Object<u16, Ro, Tx, Raw> = ranged(0x4001, 0x02, 0, 65_535);
 
 /// Error Code, `603F:00`: UNSIGNED16, ro, TxPDO.
 ///
@@ -4974,7 +4929,7 @@ pub const COMMUNICATION_EOUT_SIGNAL: Object<u16, Ro, Tx, Raw> =
 /// Default 0.
 /// Manual: 6.2 T6-2 L1208.
 #[doc(alias = "603F")]
-pub const ERROR_CODE: Object<u16, Ro, Tx, Raw> = Object::new(0x603F, 0x00);
+pub const ERROR_CODE: Object<u16, Ro, Tx, Raw> = object(0x603F, 0x00);
 
 /// Control Word, `6040:00`: UNSIGNED16, rw, RxPDO and TxPDO.
 ///
@@ -4983,7 +4938,7 @@ pub const ERROR_CODE: Object<u16, Ro, Tx, Raw> = Object::new(0x603F, 0x00);
 /// Manual: 6.2 T6-2 L1209.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "6040")]
-pub const CONTROL_WORD: Object<bits::Controlword, Rw, RxTx, Raw> = Object::new(0x6040, 0x00);
+pub const CONTROL_WORD: Object<bits::Controlword, Rw, RxTx, Raw> = object(0x6040, 0x00);
 
 /// Status Word, `6041:00`: UNSIGNED16, ro, TxPDO.
 ///
@@ -4991,7 +4946,7 @@ pub const CONTROL_WORD: Object<bits::Controlword, Rw, RxTx, Raw> = Object::new(0
 /// Default 0.
 /// Manual: 6.2 T6-2 L1210.
 #[doc(alias = "6041")]
-pub const STATUS_WORD: Object<bits::Statusword, Ro, Tx, Raw> = Object::new(0x6041, 0x00);
+pub const STATUS_WORD: Object<bits::Statusword, Ro, Tx, Raw> = object(0x6041, 0x00);
 
 /// Quickstop Option Code, `605A:00`: INTEGER16, rw, not mapped.
 ///
@@ -5002,7 +4957,7 @@ pub const STATUS_WORD: Object<bits::Statusword, Ro, Tx, Raw> = Object::new(0x604
 /// Erratum E034, name: printed "Quickstop Option Code". 4.2 has Quick stop Option Code. Kept; the two differ by a space and a capital.
 #[doc(alias = "605A")]
 pub const QUICKSTOP_OPTION_CODE: Object<enums::QuickStopOption, Rw, Unmapped, Raw> =
-    Object::new(0x605A, 0x00).allow(&[0, 1, 5]);
+    object(0x605A, 0x00).allow(&[0, 1, 5]);
 
 /// Modes of Operation, `6060:00`: INTEGER8, rw, RxPDO and TxPDO.
 ///
@@ -5012,7 +4967,7 @@ pub const QUICKSTOP_OPTION_CODE: Object<enums::QuickStopOption, Rw, Unmapped, Ra
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "6060")]
 pub const MODES_OF_OPERATION: Object<enums::ModeOfOperation, Rw, RxTx, Raw> =
-    Object::new(0x6060, 0x00).allow(&[0, 1, 3, 4, 6, 8, 9, 10]);
+    object(0x6060, 0x00).allow(&[0, 1, 3, 4, 6, 8, 9, 10]);
 
 /// Modes of Operation Display, `6061:00`: INTEGER8, ro, TxPDO.
 ///
@@ -5021,28 +4976,28 @@ pub const MODES_OF_OPERATION: Object<enums::ModeOfOperation, Rw, RxTx, Raw> =
 /// Manual: 6.2 T6-2 L1213.
 #[doc(alias = "6061")]
 pub const MODES_OF_OPERATION_DISPLAY: Object<enums::ModeOfOperation, Ro, Tx, Raw> =
-    Object::new(0x6061, 0x00);
+    object(0x6061, 0x00);
 
 /// Position Demand Value, `6062:00`: INTEGER32, ro, TxPDO.
 ///
 /// In user position; default 0.
 /// Manual: 6.2 T6-2 L1214.
 #[doc(alias = "6062")]
-pub const POSITION_DEMAND_VALUE: Object<i32, Ro, Tx, UserPosition> = Object::new(0x6062, 0x00);
+pub const POSITION_DEMAND_VALUE: Object<i32, Ro, Tx, UserPosition> = object(0x6062, 0x00);
 
 /// Position Actual Pulse Value, `6063:00`: INTEGER32, ro, TxPDO.
 ///
 /// In count; default 0.
 /// Manual: 6.2 T6-2 L1215.
 #[doc(alias = "6063")]
-pub const POSITION_ACTUAL_PULSE_VALUE: Object<i32, Ro, Tx, Counts> = Object::new(0x6063, 0x00);
+pub const POSITION_ACTUAL_PULSE_VALUE: Object<i32, Ro, Tx, Counts> = object(0x6063, 0x00);
 
 /// Position Actual Value, `6064:00`: INTEGER32, ro, TxPDO.
 ///
 /// In user position; default 0.
 /// Manual: 6.2 T6-2 L1216.
 #[doc(alias = "6064")]
-pub const POSITION_ACTUAL_VALUE: Object<i32, Ro, Tx, UserPosition> = Object::new(0x6064, 0x00);
+pub const POSITION_ACTUAL_VALUE: Object<i32, Ro, Tx, UserPosition> = object(0x6064, 0x00);
 
 /// Maximal Following Error, `6065:00`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
@@ -5060,7 +5015,7 @@ pub const POSITION_ACTUAL_VALUE: Object<i32, Ro, Tx, UserPosition> = Object::new
 /// Erratum E028, default: printed 1966080. 4.2 and 4.3 have 15: 1.5 revolutions as a count of their unit, 15.0 if it is printed in revolutions like the range beside it. 1966080 is 15 times 2^17, so the second is meant. Kept.
 #[doc(alias = "6065")]
 pub const MAXIMAL_FOLLOWING_ERROR: Object<u32, Rw, RxTx, Raw> =
-    Object::new(0x6065, 0x00).range(100, 104_857_600);
+    ranged(0x6065, 0x00, 100, 104_857_600);
 
 /// Position Window, `6067:00`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
@@ -5068,8 +5023,7 @@ pub const MAXIMAL_FOLLOWING_ERROR: Object<u32, Rw, RxTx, Raw> =
 /// Manual: 6.2 T6-2 L1218.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "6067")]
-pub const POSITION_WINDOW: Object<u32, Rw, RxTx, UserPosition> =
-    Object::new(0x6067, 0x00).range(0, 200_000);
+pub const POSITION_WINDOW: Object<u32, Rw, RxTx, UserPosition> = ranged(0x6067, 0x00, 0, 200_000);
 
 /// Velocity Demand Value, `606B:00`: INTEGER32, ro, TxPDO.
 ///
@@ -5080,7 +5034,7 @@ pub const POSITION_WINDOW: Object<u32, Rw, RxTx, UserPosition> =
 /// Erratum E035, unit: printed "0.1 rpm". As for E013. Kept.
 #[doc(alias = "606B")]
 pub const VELOCITY_DEMAND_VALUE: Object<i32, Ro, Tx, Velocity> =
-    Object::new(0x606B, 0x00).range(-60_000, 60_000).scale(1, 10);
+    ranged_scaled(0x606B, 0x00, -60_000, 60_000, 1, 10);
 
 /// Velocity Actual Value, `606C:00`: INTEGER32, ro, TxPDO.
 ///
@@ -5091,7 +5045,7 @@ pub const VELOCITY_DEMAND_VALUE: Object<i32, Ro, Tx, Velocity> =
 /// Erratum E013, unit: printed "0.1 rpm". P4.15 calls the format that it has by default r/min, the tables 0.1 r/min. Kept; which one the drive counts in should be tried at low speed.
 #[doc(alias = "606C")]
 pub const VELOCITY_ACTUAL_VALUE: Object<i32, Ro, Tx, Velocity> =
-    Object::new(0x606C, 0x00).range(-60_000, 60_000).scale(1, 10);
+    ranged_scaled(0x606C, 0x00, -60_000, 60_000, 1, 10);
 
 /// Velocity Window, `606D:00`: UNSIGNED16, rw, RxPDO and TxPDO.
 ///
@@ -5101,8 +5055,7 @@ pub const VELOCITY_ACTUAL_VALUE: Object<i32, Ro, Tx, Velocity> =
 ///
 /// Erratum E069, unit: printed "rpm". Whole r/min, where the speed that it is compared with has tenths; CiA 402 has one unit for both. Every table prints it so, and 6000 fits. Kept.
 #[doc(alias = "606D")]
-pub const VELOCITY_WINDOW: Object<u16, Rw, RxTx, Velocity> =
-    Object::new(0x606D, 0x00).range(10, 6000);
+pub const VELOCITY_WINDOW: Object<u16, Rw, RxTx, Velocity> = ranged(0x606D, 0x00, 10, 6000);
 
 /// Velocity Threshold, `606F:00`: UNSIGNED16, rw, RxPDO and TxPDO.
 ///
@@ -5112,8 +5065,7 @@ pub const VELOCITY_WINDOW: Object<u16, Rw, RxTx, Velocity> =
 ///
 /// Erratum E070, unit: printed "rpm", kept. As for E069.
 #[doc(alias = "606F")]
-pub const VELOCITY_THRESHOLD: Object<u16, Rw, RxTx, Velocity> =
-    Object::new(0x606F, 0x00).range(10, 6000);
+pub const VELOCITY_THRESHOLD: Object<u16, Rw, RxTx, Velocity> = ranged(0x606F, 0x00, 10, 6000);
 
 /// Target Torque, `6071:00`: INTEGER16, rw, RxPDO and TxPDO.
 ///
@@ -5123,7 +5075,7 @@ pub const VELOCITY_THRESHOLD: Object<u16, Rw, RxTx, Velocity> =
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "6071")]
 pub const TARGET_TORQUE: Object<i16, Rw, RxTx, TorqueRatio> =
-    Object::new(0x6071, 0x00).range(-3000, 3000).scale(1, 1000);
+    ranged_scaled(0x6071, 0x00, -3000, 3000, 1, 1000);
 
 /// Torque Demand Value, `6074:00`: INTEGER16, ro, TxPDO.
 ///
@@ -5133,7 +5085,7 @@ pub const TARGET_TORQUE: Object<i16, Rw, RxTx, TorqueRatio> =
 /// The unit is inferred: 1‰ is printed; that the whole is rated torque is the definition of CiA 402.
 #[doc(alias = "6074")]
 pub const TORQUE_DEMAND_VALUE: Object<i16, Ro, Tx, TorqueRatio> =
-    Object::new(0x6074, 0x00).range(-3000, 3000).scale(1, 1000);
+    ranged_scaled(0x6074, 0x00, -3000, 3000, 1, 1000);
 
 /// Torque Actual Value, `6077:00`: INTEGER16, ro, TxPDO.
 ///
@@ -5143,7 +5095,7 @@ pub const TORQUE_DEMAND_VALUE: Object<i16, Ro, Tx, TorqueRatio> =
 /// The unit is inferred: 1‰ is printed; that the whole is rated torque is the definition of CiA 402.
 #[doc(alias = "6077")]
 pub const TORQUE_ACTUAL_VALUE: Object<i16, Ro, Tx, TorqueRatio> =
-    Object::new(0x6077, 0x00).range(-3000, 3000).scale(1, 1000);
+    ranged_scaled(0x6077, 0x00, -3000, 3000, 1, 1000);
 
 /// Current Actual Value, `6078:00`: INTEGER16, ro, TxPDO.
 ///
@@ -5153,7 +5105,7 @@ pub const TORQUE_ACTUAL_VALUE: Object<i16, Ro, Tx, TorqueRatio> =
 /// The unit is inferred: 1‰ is printed; that the whole is rated current is the definition of CiA 402.
 #[doc(alias = "6078")]
 pub const CURRENT_ACTUAL_VALUE: Object<i16, Ro, Tx, CurrentRatio> =
-    Object::new(0x6078, 0x00).range(-3000, 3000).scale(1, 1000);
+    ranged_scaled(0x6078, 0x00, -3000, 3000, 1, 1000);
 
 /// Target Position, `607A:00`: INTEGER32, rw, RxPDO and TxPDO.
 ///
@@ -5162,7 +5114,7 @@ pub const CURRENT_ACTUAL_VALUE: Object<i16, Ro, Tx, CurrentRatio> =
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "607A")]
 pub const TARGET_POSITION: Object<i32, Rw, RxTx, UserPosition> =
-    Object::new(0x607A, 0x00).range(-2_147_483_648, 2_147_483_647);
+    ranged(0x607A, 0x00, -2_147_483_648, 2_147_483_647);
 
 /// Home Offset, `607C:00`: INTEGER32, rw, RxPDO and TxPDO.
 ///
@@ -5174,8 +5126,7 @@ pub const TARGET_POSITION: Object<i32, Rw, RxTx, UserPosition> =
 ///
 /// Erratum E030, default: printed 1000. An offset that is not 0 as delivered is unusual. What the drive does with it after homing is not printed: in CiA 402 it shifts the zero; the column Homing offset position of 4.4 (L560) may mean that the axis moves on by it. Both places print 1000. Kept.
 #[doc(alias = "607C")]
-pub const HOME_OFFSET: Object<i32, Rw, RxTx, UserPosition> =
-    Object::new(0x607C, 0x00).range(0, 2_000_000_000);
+pub const HOME_OFFSET: Object<i32, Rw, RxTx, UserPosition> = ranged(0x607C, 0x00, 0, 2_000_000_000);
 
 // 607Dh Software position limit
 
@@ -5185,8 +5136,7 @@ pub const HOME_OFFSET: Object<i32, Rw, RxTx, UserPosition> =
 /// Always 2.
 /// Manual: 6.2 T6-2 L1229.
 #[doc(alias = "607D")]
-pub const SOFTWARE_POSITION_LIMIT: Object<u8, Ro, Unmapped, Raw> =
-    Object::new(0x607D, 0x00).range(2, 2);
+pub const SOFTWARE_POSITION_LIMIT: Object<u8, Ro, Unmapped, Raw> = ranged(0x607D, 0x00, 2, 2);
 
 /// Min position limit, `607D:01`: INTEGER32, rw, RxPDO and TxPDO.
 ///
@@ -5199,7 +5149,7 @@ pub const SOFTWARE_POSITION_LIMIT: Object<u8, Ro, Unmapped, Raw> =
 /// Erratum E001, min: printed -200000000, used -2000000000. One zero is lost in 4.2: the default of the same row is -2000000000, and both other places print ten digits.
 #[doc(alias = "607D")]
 pub const MIN_POSITION_LIMIT: Object<i32, Rw, RxTx, UserPosition> =
-    Object::new(0x607D, 0x01).range(-2_000_000_000, 2_000_000_000);
+    ranged(0x607D, 0x01, -2_000_000_000, 2_000_000_000);
 
 /// Max position limit, `607D:02`: INTEGER32, rw, RxPDO and TxPDO.
 ///
@@ -5211,7 +5161,7 @@ pub const MIN_POSITION_LIMIT: Object<i32, Rw, RxTx, UserPosition> =
 /// Erratum E118, min: printed -2000000000. The range of 4.2 is one cell for both limits and has lost a zero: as for E001, which corrects the row that shows it. Kept.
 #[doc(alias = "607D")]
 pub const MAX_POSITION_LIMIT: Object<i32, Rw, RxTx, UserPosition> =
-    Object::new(0x607D, 0x02).range(-2_000_000_000, 2_000_000_000);
+    ranged(0x607D, 0x02, -2_000_000_000, 2_000_000_000);
 
 /// Maximal Profile Velocity, `607F:00`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
@@ -5225,7 +5175,7 @@ pub const MAX_POSITION_LIMIT: Object<i32, Rw, RxTx, UserPosition> =
 /// Erratum E036, unit: printed "0.1 rpm". As for E013. Kept.
 #[doc(alias = "607F")]
 pub const MAXIMAL_PROFILE_VELOCITY: Object<u32, Rw, RxTx, Velocity> =
-    Object::new(0x607F, 0x00).at_most(60_000).scale(1, 10);
+    scaled(0x607F, 0x00, 1, 10).at_most(60_000);
 
 /// Maximal Motor Speed, `6080:00`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
@@ -5239,7 +5189,7 @@ pub const MAXIMAL_PROFILE_VELOCITY: Object<u32, Rw, RxTx, Velocity> =
 /// Erratum E033, name: printed "Maximal Motor Speed". 4.5 has Maximum Motor Speed. Kept, the one that four tables print.
 #[doc(alias = "6080")]
 pub const MAXIMAL_MOTOR_SPEED: Object<u32, Rw, RxTx, Velocity> =
-    Object::new(0x6080, 0x00).at_most(60_000).scale(1, 10);
+    scaled(0x6080, 0x00, 1, 10).at_most(60_000);
 
 /// Profile Velocity, `6081:00`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
@@ -5255,7 +5205,7 @@ pub const MAXIMAL_MOTOR_SPEED: Object<u32, Rw, RxTx, Velocity> =
 /// Erratum E014, unit: printed "0.1 rpm". As for E013; the steps of 4.2 say 0.1 r/min as well (L397). Kept.
 #[doc(alias = "6081")]
 pub const PROFILE_VELOCITY: Object<u32, Rw, RxTx, Velocity> =
-    Object::new(0x6081, 0x00).range(0, 60_000).scale(1, 10);
+    ranged_scaled(0x6081, 0x00, 0, 60_000, 1, 10);
 
 /// Profile Acceleration, `6083:00`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
@@ -5266,7 +5216,7 @@ pub const PROFILE_VELOCITY: Object<u32, Rw, RxTx, Velocity> =
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "6083")]
 pub const PROFILE_ACCELERATION: Object<u32, Rw, RxTx, Time> =
-    Object::new(0x6083, 0x00).range(1, 999_999).scale(1, 1000);
+    ranged_scaled(0x6083, 0x00, 1, 999_999, 1, 1000);
 
 /// Profile Deceleration, `6084:00`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
@@ -5277,15 +5227,14 @@ pub const PROFILE_ACCELERATION: Object<u32, Rw, RxTx, Time> =
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "6084")]
 pub const PROFILE_DECELERATION: Object<u32, Rw, RxTx, Time> =
-    Object::new(0x6084, 0x00).range(1, 999_999).scale(1, 1000);
+    ranged_scaled(0x6084, 0x00, 1, 999_999, 1, 1000);
 
 /// Motion Profile Type, `6086:00`: INTEGER16, rw, not mapped.
 ///
 /// Always 0.
 /// Manual: 6.2 T6-2 L1239.
 #[doc(alias = "6086")]
-pub const MOTION_PROFILE_TYPE: Object<i16, Rw, Unmapped, Raw> =
-    Object::new(0x6086, 0x00).range(0, 0);
+pub const MOTION_PROFILE_TYPE: Object<i16, Rw, Unmapped, Raw> = ranged(0x6086, 0x00, 0, 0);
 
 // 6093h Position Factor
 
@@ -5297,7 +5246,7 @@ pub const MOTION_PROFILE_TYPE: Object<i16, Rw, Unmapped, Raw> =
 ///
 /// Erratum E037, name: printed "Position Factor". CiA 402 had the index in an early version and has 6091h and 6092h for it today; 6502h and the rest follow the present one. Kept: the drive has what it has.
 #[doc(alias = "6093")]
-pub const POSITION_FACTOR: Object<u8, Ro, Unmapped, Raw> = Object::new(0x6093, 0x00).range(2, 2);
+pub const POSITION_FACTOR: Object<u8, Ro, Unmapped, Raw> = ranged(0x6093, 0x00, 2, 2);
 
 /// Position Factor Numerator, `6093:01`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
@@ -5306,7 +5255,7 @@ pub const POSITION_FACTOR: Object<u8, Ro, Unmapped, Raw> = Object::new(0x6093, 0
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "6093")]
 pub const POSITION_FACTOR_NUMERATOR: Object<u32, Rw, RxTx, Raw> =
-    Object::new(0x6093, 0x01).range(1, 4_194_303);
+    ranged(0x6093, 0x01, 1, 4_194_303);
 
 /// Position Factor Divisor, `6093:02`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
@@ -5314,8 +5263,7 @@ pub const POSITION_FACTOR_NUMERATOR: Object<u32, Rw, RxTx, Raw> =
 /// Manual: 6.2 T6-2 L1242.
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "6093")]
-pub const POSITION_FACTOR_DIVISOR: Object<u32, Rw, RxTx, Raw> =
-    Object::new(0x6093, 0x02).range(1, 4_194_303);
+pub const POSITION_FACTOR_DIVISOR: Object<u32, Rw, RxTx, Raw> = ranged(0x6093, 0x02, 1, 4_194_303);
 
 /// Homing Method, `6098:00`: INTEGER8, rw, RxPDO and TxPDO.
 ///
@@ -5327,7 +5275,7 @@ pub const POSITION_FACTOR_DIVISOR: Object<u32, Rw, RxTx, Raw> =
 ///
 /// Erratum E012, max: printed 37. Methods 15, 16 and 31 to 34 lie in the range and are reserved in the table of 4.4, whose introduction counts 37 methods nevertheless. Kept; a master should not write them.
 #[doc(alias = "6098")]
-pub const HOMING_METHOD: Object<i8, Rw, RxTx, Raw> = Object::new(0x6098, 0x00).range(0, 37);
+pub const HOMING_METHOD: Object<i8, Rw, RxTx, Raw> = ranged(0x6098, 0x00, 0, 37);
 
 // 6099h Homing speeds
 
@@ -5337,7 +5285,7 @@ pub const HOMING_METHOD: Object<i8, Rw, RxTx, Raw> = Object::new(0x6098, 0x00).r
 /// Always 2.
 /// Manual: 6.2 T6-2 L1244.
 #[doc(alias = "6099")]
-pub const HOMING_SPEEDS: Object<u8, Ro, Unmapped, Raw> = Object::new(0x6099, 0x00).range(2, 2);
+pub const HOMING_SPEEDS: Object<u8, Ro, Unmapped, Raw> = ranged(0x6099, 0x00, 2, 2);
 
 /// Homing Speed for Switch Search, `6099:01`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
@@ -5349,7 +5297,7 @@ pub const HOMING_SPEEDS: Object<u8, Ro, Unmapped, Raw> = Object::new(0x6099, 0x0
 /// Erratum E007, default: printed 500. The range is printed with a decimal point in r/min, the default without one. Read as counts of 0.1 r/min, the unit of the row, it is 50.0 r/min; read in r/min, as 607F and 6080 print theirs (3000.0) and as 4.2 must mean its 15 for 6065 (E028), it is 500.0 r/min, ten times as fast. Dropped: nobody should expect the slower one; read it from the drive.
 #[doc(alias = "6099")]
 pub const HOMING_SPEED_FOR_SWITCH_SEARCH: Object<u32, Rw, RxTx, Velocity> =
-    Object::new(0x6099, 0x01).range(1, 60_000).scale(1, 10);
+    ranged_scaled(0x6099, 0x01, 1, 60_000, 1, 10);
 
 /// Homing Speed for Zero Search, `6099:02`: UNSIGNED32, rw, RxPDO and TxPDO.
 ///
@@ -5361,7 +5309,7 @@ pub const HOMING_SPEED_FOR_SWITCH_SEARCH: Object<u32, Rw, RxTx, Velocity> =
 /// Erratum E008, default: printed 50. As for E007: 5.0 r/min, or 50.0 r/min. Dropped.
 #[doc(alias = "6099")]
 pub const HOMING_SPEED_FOR_ZERO_SEARCH: Object<u32, Rw, RxTx, Velocity> =
-    Object::new(0x6099, 0x02).range(1, 60_000).scale(1, 10);
+    ranged_scaled(0x6099, 0x02, 1, 60_000, 1, 10);
 
 /// Position offset, `60B0:00`: INTEGER32, rw, RxPDO and TxPDO.
 ///
@@ -5370,7 +5318,7 @@ pub const HOMING_SPEED_FOR_ZERO_SEARCH: Object<u32, Rw, RxTx, Velocity> =
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "60B0")]
 pub const POSITION_OFFSET: Object<i32, Rw, RxTx, UserPosition> =
-    Object::new(0x60B0, 0x00).range(-2_147_483_648, 2_147_483_647);
+    ranged(0x60B0, 0x00, -2_147_483_648, 2_147_483_647);
 
 /// Touch Probe Function, `60B8:00`: UNSIGNED16, rw, RxPDO and TxPDO.
 ///
@@ -5379,15 +5327,14 @@ pub const POSITION_OFFSET: Object<i32, Rw, RxTx, UserPosition> =
 /// The mapping is inferred: printed as YES, without a direction; what only the drive sends is printed as TPDO.
 #[doc(alias = "60B8")]
 pub const TOUCH_PROBE_FUNCTION: Object<bits::TouchProbeFunction, Rw, RxTx, Raw> =
-    Object::new(0x60B8, 0x00);
+    object(0x60B8, 0x00);
 
 /// Touch Probe Status, `60B9:00`: UNSIGNED16, ro, TxPDO.
 ///
 /// Default 0.
 /// Manual: 6.2 T6-2 L1249.
 #[doc(alias = "60B9")]
-pub const TOUCH_PROBE_STATUS: Object<bits::TouchProbeStatus, Ro, Tx, Raw> =
-    Object::new(0x60B9, 0x00);
+pub const TOUCH_PROBE_STATUS: Object<bits::TouchProbeStatus, Ro, Tx, Raw> = object(0x60B9, 0x00);
 
 /// Touch probe pos1 pos value, `60BA:00`: INTEGER32, ro, TxPDO.
 ///
@@ -5395,7 +5342,7 @@ pub const TOUCH_PROBE_STATUS: Object<bits::TouchProbeStatus, Ro, Tx, Raw> =
 /// Manual: 6.2 T6-2 L1250.
 #[doc(alias = "60BA")]
 pub const TOUCH_PROBE_POS1_POS_VALUE: Object<i32, Ro, Tx, UserPosition> =
-    Object::new(0x60BA, 0x00).range(-2_147_483_648, 2_147_483_647);
+    ranged(0x60BA, 0x00, -2_147_483_648, 2_147_483_647);
 
 /// Touch probe pos1 neg value, `60BB:00`: INTEGER32, ro, TxPDO.
 ///
@@ -5404,7 +5351,7 @@ pub const TOUCH_PROBE_POS1_POS_VALUE: Object<i32, Ro, Tx, UserPosition> =
 /// Manual: 6.2 T6-2 L1250 L1251.
 #[doc(alias = "60BB")]
 pub const TOUCH_PROBE_POS1_NEG_VALUE: Object<i32, Ro, Tx, UserPosition> =
-    Object::new(0x60BB, 0x00).range(-2_147_483_648, 2_147_483_647);
+    ranged(0x60BB, 0x00, -2_147_483_648, 2_147_483_647);
 
 /// Touch probe pos2 pos value, `60BC:00`: INTEGER32, ro, TxPDO.
 ///
@@ -5413,7 +5360,7 @@ pub const TOUCH_PROBE_POS1_NEG_VALUE: Object<i32, Ro, Tx, UserPosition> =
 /// Manual: 6.2 T6-2 L1250 L1252.
 #[doc(alias = "60BC")]
 pub const TOUCH_PROBE_POS2_POS_VALUE: Object<i32, Ro, Tx, UserPosition> =
-    Object::new(0x60BC, 0x00).range(-2_147_483_648, 2_147_483_647);
+    ranged(0x60BC, 0x00, -2_147_483_648, 2_147_483_647);
 
 /// Touch probe pos2 neg value, `60BD:00`: INTEGER32, ro, TxPDO.
 ///
@@ -5422,7 +5369,7 @@ pub const TOUCH_PROBE_POS2_POS_VALUE: Object<i32, Ro, Tx, UserPosition> =
 /// Manual: 6.2 T6-2 L1250 L1253.
 #[doc(alias = "60BD")]
 pub const TOUCH_PROBE_POS2_NEG_VALUE: Object<i32, Ro, Tx, UserPosition> =
-    Object::new(0x60BD, 0x00).range(-2_147_483_648, 2_147_483_647);
+    ranged(0x60BD, 0x00, -2_147_483_648, 2_147_483_647);
 
 /// Forward torque limit, `60E0:00`: UNSIGNED16, rw, RxPDO and TxPDO.
 ///
@@ -5435,7 +5382,7 @@ pub const TOUCH_PROBE_POS2_NEG_VALUE: Object<i32, Ro, Tx, UserPosition> =
 /// Erratum E038, default: printed 3000. Printed as 300.0, the range beside it in percent with a sign. Read in percent, as the range and the decimal point suggest, it is the 300.0 % of 6071. As a count of the unit it would be 300, which is 30.0 %. Kept as 3000. The range itself goes to 450.0 %, past that of 6071.
 #[doc(alias = "60E0")]
 pub const FORWARD_TORQUE_LIMIT: Object<u16, Rw, RxTx, TorqueRatio> =
-    Object::new(0x60E0, 0x00).range(0, 4500).scale(1, 1000);
+    ranged_scaled(0x60E0, 0x00, 0, 4500, 1, 1000);
 
 /// Invert torque limit, `60E1:00`: UNSIGNED16, rw, RxPDO and TxPDO.
 ///
@@ -5448,22 +5395,21 @@ pub const FORWARD_TORQUE_LIMIT: Object<u16, Rw, RxTx, TorqueRatio> =
 /// Erratum E039, default: printed 3000, kept. As for E038.
 #[doc(alias = "60E1")]
 pub const INVERT_TORQUE_LIMIT: Object<u16, Rw, RxTx, TorqueRatio> =
-    Object::new(0x60E1, 0x00).range(0, 4500).scale(1, 1000);
+    ranged_scaled(0x60E1, 0x00, 0, 4500, 1, 1000);
 
 /// Following Error Actual Value, `60F4:00`: INTEGER32, ro, TxPDO.
 ///
 /// In user position; default 0.
 /// Manual: 6.2 T6-2 L1256.
 #[doc(alias = "60F4")]
-pub const FOLLOWING_ERROR_ACTUAL_VALUE: Object<i32, Ro, Tx, UserPosition> =
-    Object::new(0x60F4, 0x00);
+pub const FOLLOWING_ERROR_ACTUAL_VALUE: Object<i32, Ro, Tx, UserPosition> = object(0x60F4, 0x00);
 
 /// Position Demand Pulse Value, `60FC:00`: INTEGER32, ro, TxPDO.
 ///
 /// In count; default 0.
 /// Manual: 6.2 T6-2 L1257.
 #[doc(alias = "60FC")]
-pub const POSITION_DEMAND_PULSE_VALUE: Object<i32, Ro, Tx, Counts> = Object::new(0x60FC, 0x00);
+pub const POSITION_DEMAND_PULSE_VALUE: Object<i32, Ro, Tx, Counts> = object(0x60FC, 0x00);
 
 /// Target Velocity, `60FF:00`: INTEGER32, rw, RxPDO and TxPDO.
 ///
@@ -5475,7 +5421,7 @@ pub const POSITION_DEMAND_PULSE_VALUE: Object<i32, Ro, Tx, Counts> = Object::new
 /// Erratum E015, unit: printed "0.1 rpm". As for E013. Kept.
 #[doc(alias = "60FF")]
 pub const TARGET_VELOCITY: Object<i32, Rw, RxTx, Velocity> =
-    Object::new(0x60FF, 0x00).range(-60_000, 60_000).scale(1, 10);
+    ranged_scaled(0x60FF, 0x00, -60_000, 60_000, 1, 10);
 
 /// Supported Drive Modes, `6502:00`: UNSIGNED32, ro, TxPDO.
 ///
@@ -5486,4 +5432,4 @@ pub const TARGET_VELOCITY: Object<i32, Rw, RxTx, Velocity> =
 /// Erratum E003, default: printed 109. 6Dh says PP, PV, PT, HM and IP. The manual lists and describes PP, PV, PT, HM, CSP, CSV and CST, which would be 3ADh, and never IP. Kept, because a drive may well report what is printed.
 #[doc(alias = "6502")]
 pub const SUPPORTED_DRIVE_MODES: Object<bits::SupportedDriveModes, Ro, Tx, Raw> =
-    Object::new(0x6502, 0x00).range(0x0000_006D, 0x0000_006D);
+    ranged(0x6502, 0x00, 0x0000_006D, 0x0000_006D);
