@@ -276,6 +276,10 @@ type Verdict = Result<bool, AxisErrorKind>;
 impl Axis {
     fn begin(&mut self, goal: Goal, within: Duration) {
         self.end_edges();
+        if self.level == Command::EnableOperation && !self.enabled && !matches!(goal, Goal::Enable(_)) {
+            // Who asks for something else has given up the way to operation.
+            self.let_go();
+        }
         self.enter(goal);
         self.within = within;
         (self.begins, self.informed) = (true, false);
