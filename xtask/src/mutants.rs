@@ -1,7 +1,7 @@
 //! Puts known bugs back, one at a time, into a copy of the checkout, and expects a test to see each.
 //!
 //! `tests/mutants/bNN-name.patch` is a bug: words first, then a line `tests: TARGET...` (test targets of
-//! `drivewright-tests`), then a diff. The tests whose names have `bNN_` run. `README.md` beside them lists every bug.
+//! `drivewright-tests`, or `runtime` for its unit tests), then a diff. The tests whose names have `bNN_` run. `README.md` beside them lists every bug.
 
 mod copy;
 mod list;

@@ -18,18 +18,19 @@ pub fn targets(mutants: &[Mutant]) -> Vec<String> {
     targets
 }
 
+/// The target that stands for the unit tests of the runtime.
+const UNITS: &str = "runtime";
+
 /// Builds test targets of `drivewright-tests`, and says where each program is.
 pub fn build(tree: &Path, targets: &[String]) -> Result<Vec<Program>, String> {
-    let mut cargo = Command::new("cargo");
-    cargo.args(["test", "--no-run", "--locked", "-p", "drivewright-tests"]).current_dir(tree);
-    cargo.args(targets.iter().flat_map(|target| ["--test", target]));
-    cargo.env("CARGO_TARGET_DIR", tree.with_file_name("build")).env("CARGO_INCREMENTAL", "1");
-    cargo.env("CARGO_PROFILE_DEV_DEBUG", "0").env("RUSTFLAGS", "-Awarnings");
-    let output = cargo.output().map_err(|e| format!("`cargo` cannot be started: {e}"))?;
-    let said = String::from_utf8_lossy(&output.stderr);
-    if !output.status.success() {
-        let first = said.lines().find(|line| line.starts_with("error")).unwrap_or_default();
-        return Err(format!("it does not compile: {first}"));
+    let (units, others): (Vec<String>, Vec<String>) = targets.iter().cloned().partition(|t| t == UNITS);
+    let mut said = String::new();
+    if !others.is_empty() {
+        let tests = others.iter().flat_map(|target| ["--test".to_owned(), target.clone()]);
+        said += &built(tree, "drivewright-tests", &tests.collect::<Vec<_>>())?;
+    }
+    if !units.is_empty() {
+        said += &built(tree, "drivewright-runtime", &["--lib".to_owned()])?;
     }
     let found = |target: &String| {
         Ok((target.clone(), tree.join(program(&said, target).ok_or("cargo names no program")?)))
@@ -37,9 +38,25 @@ pub fn build(tree: &Path, targets: &[String]) -> Result<Vec<Program>, String> {
     targets.iter().map(found).collect()
 }
 
+/// What cargo says of the programs that it has built.
+fn built(tree: &Path, package: &str, which: &[String]) -> Result<String, String> {
+    let mut cargo = Command::new("cargo");
+    cargo.args(["test", "--no-run", "--locked", "-p", package]).args(which).current_dir(tree);
+    cargo.env("CARGO_TARGET_DIR", tree.with_file_name("build")).env("CARGO_INCREMENTAL", "1");
+    cargo.env("CARGO_PROFILE_DEV_DEBUG", "0").env("RUSTFLAGS", "-Awarnings");
+    let output = cargo.output().map_err(|e| format!("`cargo` cannot be started: {e}"))?;
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    if output.status.success() {
+        return Ok(said);
+    }
+    let first = said.lines().find(|line| line.starts_with("error")).unwrap_or_default();
+    Err(format!("it does not compile: {first}"))
+}
+
 /// `Executable tests/x.rs (path)`, as `cargo test --no-run` says it.
 fn program(said: &str, target: &str) -> Option<PathBuf> {
-    let sources = [format!("tests/{target}.rs ("), format!("tests/{target}/main.rs (")];
+    let mut sources = vec![format!("tests/{target}.rs ("), format!("tests/{target}/main.rs (")];
+    sources.extend((target == UNITS).then(|| "unittests src/lib.rs (".to_owned()));
     let line = said.lines().find(|line| sources.iter().any(|source| line.contains(source)))?;
     Some(PathBuf::from(line.rsplit_once('(')?.1.trim_end_matches(')')))
 }
@@ -131,5 +148,7 @@ mod tests {
         assert_eq!(program(said, "cia402"), Some("../build/debug/deps/cia402-1".into()));
         assert_eq!(program(said, "bugs"), Some("/t/bugs-2".into()));
         assert_eq!(program(said, "bug"), None);
+        let said = "  Executable unittests src/lib.rs (../build/debug/deps/drivewright_runtime-3)";
+        assert_eq!(program(said, "runtime"), Some("../build/debug/deps/drivewright_runtime-3".into()));
     }
 }
