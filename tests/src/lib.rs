@@ -6,6 +6,7 @@
     reason = "what a test could not do must reach whoever runs it"
 )]
 
+pub mod bare;
 pub mod cases;
 pub mod drives;
 pub mod esi;

@@ -7,6 +7,7 @@
 mod audits;
 mod judges;
 mod links;
+mod mutants;
 mod new;
 mod outcome;
 mod outside;
@@ -31,6 +32,7 @@ Commands:
   new VENDOR/DRIVE   make a profile that compiles, and list what it does not state yet
   test               run everything and say what was skipped, and why
     --full           add the slow parts
+    --mutants        put known bugs back, one at a time, and expect a test to see each; with `--only b04` that one
   tidy               check what no other tool knows
   bench              measure beside other compilers and budgets; `bench --help` has its options
   fuzz               feed the compiler a million inputs of a stable generator
@@ -48,6 +50,7 @@ Examples:
   cargo xtask regen --check sdv3-e
   cargo xtask new acme/x1
   cargo xtask test --full
+  cargo xtask test --mutants --only b04
   cargo xtask bench --quick
   cargo xtask fuzz parse_profile -max_total_time=60
 ";
@@ -58,6 +61,9 @@ pub struct Options {
     check: bool,
     diff: bool,
     full: bool,
+    mutants: bool,
+    /// Bugs that `--mutants` is for; none: all.
+    only: Vec<String>,
     quiet: bool,
     root: Option<PathBuf>,
     drives: Vec<String>,
@@ -94,6 +100,7 @@ fn run(command: &str, options: &Options) -> End {
     match command {
         "regen" => regen::run(&root, options),
         "new" => new::run(&root, options),
+        "test" if options.mutants => mutants::run(&root, options),
         "test" => test::run(&root, options),
         "tidy" => tidy::run(&root, options),
         "bench" => tools::bench(&root, options),
@@ -120,6 +127,8 @@ fn parse() -> Result<Option<(String, Options)>, lexopt::Error> {
             Long("check") => options.check = true,
             Long("diff") => options.diff = true,
             Long("full") => options.full = true,
+            Long("mutants") => options.mutants = true,
+            Long("only") => options.only.push(args.value()?.string()?),
             Long("root") => options.root = Some(args.value()?.into()),
             Value(value) if command.is_none() => {
                 let name = value.string()?;

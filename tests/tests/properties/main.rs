@@ -18,6 +18,7 @@ mod order;
 /// Reads an EDS and shares no code with its writer.
 #[path = "../../../codegen/tests/eds/reader.rs"]
 mod reader;
+mod values;
 
 use drivewright_codegen::diag::Diagnostic;
 use drivewright_codegen::emit::FileSet;

@@ -183,15 +183,17 @@ struct Late<'w, 'b, 'l> {
 }
 
 impl Write for Late<'_, '_, '_> {
+    // By characters: a search in a text has panics that the optimizer cannot rule out.
     fn write_str(&mut self, text: &str) -> fmt::Result {
-        for piece in text.split_inclusive('\n') {
-            self.begin()?;
-            match piece.strip_suffix('\n') {
-                Some(line) => self.to.write_str(line).and_then(|()| self.next_line())?,
-                None => self.to.write_str(piece)?,
-            }
+        text.chars().try_for_each(|character| self.write_char(character))
+    }
+
+    fn write_char(&mut self, character: char) -> fmt::Result {
+        self.begin()?;
+        match character {
+            '\n' => self.next_line(),
+            other => self.to.write_char(other),
         }
-        Ok(())
     }
 }
 

@@ -1,12 +1,7 @@
-//! The services of the client, in a program whose panic handler names a function that does not exist.
-//!
-//! It links only if the optimiser finds that nothing here can panic, whatever a drive answers.
-#![no_std]
-#![no_main]
+//! The services of the client: objects, identity, comparison, faults, layouts, parameters. Whatever a drive answers.
 
 use core::fmt::{self, Write as _};
 use core::hint::black_box;
-use core::panic::PanicInfo;
 
 use drivewright_runtime::client::compare::Compare;
 use drivewright_runtime::client::decode::{DigitalInputs, SupportedModes};
@@ -71,7 +66,7 @@ fn show(what: impl fmt::Display) {
 }
 
 /// Runs a procedure for as long as it asks.
-fn run<P: Procedure>(procedure: &mut P, memory: &[u8]) -> P::Output {
+fn ended<P: Procedure>(procedure: &mut P, memory: &[u8]) -> P::Output {
     loop {
         let ask = procedure.next(Instant::from_micros(black_box(1)), answer(memory));
         if let Ask::Done(result) = ask {
@@ -83,7 +78,7 @@ fn run<P: Procedure>(procedure: &mut P, memory: &[u8]) -> P::Output {
 
 /// Runs a procedure, and prints its error.
 fn drive<T, E: fmt::Display, P: Procedure<Output = Result<T, E>>>(mut procedure: P, memory: &[u8]) {
-    if let Err(error) = run(&mut procedure, memory) {
+    if let Err(error) = ended(&mut procedure, memory) {
         show(error);
     }
 }
@@ -107,10 +102,10 @@ fn objects(memory: &[u8]) {
 }
 
 fn device(memory: &[u8]) {
-    let found = run(&mut Identify::new(&MODEL), memory);
+    let found = ended(&mut Identify::new(&MODEL), memory);
     show(Report::new(&Verdict::new(&MODEL, &found)));
     drive(Compare::new(&MODEL, |finding| show(finding.with(&MODEL))), memory);
-    match run(&mut ReadFault::new(&MODEL).with_emergency(Emergency(black_box([1; 8]))), memory) {
+    match ended(&mut ReadFault::new(&MODEL).with_emergency(Emergency(black_box([1; 8]))), memory) {
         Ok(evidence) => show(Fault::new(&MODEL, &TEXTS, evidence)),
         Err(error) => show(error),
     }
@@ -122,7 +117,7 @@ fn layouts(memory: &[u8]) {
     let mapped = [Mapped::new(black_box(0x1600), black_box(&ENTRIES))];
     let plan = Plan::new(black_box(Direction::Rx), &mapped);
     let mut read = ReadBack::new(&MODEL, plan);
-    if let Err(error) = run(&mut read, memory) {
+    if let Err(error) = ended(&mut read, memory) {
         show(read.explain(&error));
     }
     match WriteLayout::new(&MODEL, plan) {
@@ -134,9 +129,9 @@ fn layouts(memory: &[u8]) {
 fn parameters(memory: &[u8]) {
     let wanted = [Setting::number(black_box(SPEED.address()), black_box(5))];
     let mut slots = [Slot::EMPTY; 4];
-    run(&mut Columns::new(&MODEL, &wanted, |row| show(row.with(&MODEL))), memory);
+    ended(&mut Columns::new(&MODEL, &wanted, |row| show(row.with(&MODEL))), memory);
     if let Ok(mut apply) = Apply::new(&MODEL, &wanted, &[], &mut slots) {
-        if let Err(error) = run(&mut apply, memory) {
+        if let Err(error) = ended(&mut apply, memory) {
             show(apply.explain(&error));
         }
         black_box(apply.effects().last());
@@ -147,28 +142,11 @@ fn parameters(memory: &[u8]) {
     }
 }
 
-/// Where the program would begin.
-#[no_mangle]
-pub extern "C" fn _start() -> ! {
+/// Everything of this file.
+pub fn run() {
     let memory = black_box([0; 64]);
     objects(&memory);
     device(&memory);
     layouts(&memory);
     parameters(&memory);
-    #[allow(clippy::empty_loop)]
-    loop {}
-}
-
-/// The 128-bit arithmetic of rules comes from a library that was built with unwinding, and names this.
-#[no_mangle]
-pub extern "C" fn rust_eh_personality() {}
-
-extern "C" {
-    fn something_in_the_services_can_panic() -> !;
-}
-
-#[panic_handler]
-fn panic(_: &PanicInfo<'_>) -> ! {
-    // Never runs: the program does not link if this is reachable.
-    unsafe { something_in_the_services_can_panic() }
 }
