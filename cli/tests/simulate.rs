@@ -145,6 +145,12 @@ fn faults_come_and_go_as_they_are_asked_for() {
     assert_eq!(ran.status.code(), Some(0), "{}", err(&ran));
     // 8611h, following error.
     assert!(out(&ran).contains("603F:00 Error Code = 34321"), "{}", out(&ran));
+    let reset = "exchange 6040=0\nexchange 6040=0x80\nrun 5ms\n";
+    let held = format!(
+        "{ENABLE}hold OF\nuntil state Fault within 1s\n{reset}expect state Fault\nclear OF\n{reset}expect state Switch on disabled\n"
+    );
+    let ran = simulate(&held, &["--quiet"]);
+    assert_eq!(ran.status.code(), Some(0), "{}", err(&ran));
     let unknown = simulate("raise XX\n", &["--quiet"]);
     assert!(
         unknown.status.code() == Some(1) && err(&unknown).contains("known: OC1, OC2"),

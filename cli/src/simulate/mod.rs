@@ -193,7 +193,10 @@ fn say(
     if text.is_empty() {
         return End::Fine;
     }
-    let width = clock.len().max(9);
-    let lines = text.lines().map(|line| format!("{clock:>width$} ms  {}\n", escape::visible(line)));
+    // The time once, before the first line.
+    let time = format!("{clock:>9} ms  ");
+    let rest = " ".repeat(time.len());
+    let starts = std::iter::once(&time).chain(std::iter::repeat(&rest));
+    let lines = text.lines().zip(starts).map(|(line, start)| format!("{start}{}\n", escape::visible(line)));
     print(&lines.collect::<String>())
 }

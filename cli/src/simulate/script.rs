@@ -29,6 +29,8 @@ pub(super) enum Command {
     Bus(Bus),
     /// An alarm, by display, or by display and number.
     Raise(String, Option<u16>),
+    /// An alarm whose cause stays.
+    Hold(String, Option<u16>),
     /// The cause of an alarm is gone.
     Clear(String, Option<u16>),
     /// A fault of the wires or the drive, with its number.
@@ -180,6 +182,12 @@ const FORMS: &[Form] = &[
         read: |w| alarm(w, Command::Raise),
     },
     Form {
+        name: "hold",
+        usage: "hold OF",
+        does: "raises an alarm whose cause stays until `clear OF`: a fault reset does not clear it before",
+        read: |w| alarm(w, Command::Hold),
+    },
+    Form {
         name: "clear",
         usage: "clear OF",
         does: "takes the cause of an alarm away",
@@ -244,7 +252,7 @@ pub(super) fn command(line: &str) -> Result<Option<Command>, Refused> {
 pub(super) fn help() -> String {
     let width = FORMS.iter().map(|form| form.usage.len()).max().unwrap_or(0);
     let line = |form: &Form| format!("  {:<width$}  {}\n", form.usage, form.does);
-    let rest = "Addresses are hexadecimal. Numbers are decimal, or hexadecimal as 0x1F or 1Fh. Times: 250us, 10ms, 2s.\n";
+    let rest = "Addresses are hexadecimal. Numbers are decimal, or hexadecimal as 0x1F or 1Fh. Times: 10ms, 2s; time goes\non in cycles of a millisecond.\n";
     FORMS.iter().map(line).collect::<String>() + rest
 }
 

@@ -5,6 +5,7 @@ use std::time::Duration;
 use drivewright_runtime::client::object::{Content, Shown};
 use drivewright_runtime::mapping::Direction;
 use drivewright_runtime::model::{AlarmDesc, DriveModel, EsmState, ObjectDesc};
+use drivewright_runtime::sim::{UnknownAlarm, VirtualDrive};
 use drivewright_runtime::transport::{Refusal, Transport};
 use drivewright_runtime::{AbortCode, Address};
 
@@ -60,8 +61,9 @@ impl<'b, 'd, 'm, 's> Session<'b, 'd, 'm, 's> {
             Command::Until(condition, within) => self.until(condition, *within),
             Command::Bus(wanted) => self.request(*wanted),
             Command::Refused(code, command) => self.refused(*code, command),
-            Command::Raise(display, number) => self.raise(display, *number),
-            Command::Clear(display, number) => self.clear(display, *number),
+            Command::Raise(display, number) => self.with_alarm(display, *number, VirtualDrive::raise),
+            Command::Hold(display, number) => self.with_alarm(display, *number, VirtualDrive::raise_for_good),
+            Command::Clear(display, number) => self.with_alarm(display, *number, VirtualDrive::end_cause),
             Command::Fault(kind, number) => faults::disturb(self.bus, kind, *number).map_err(Failed::Not),
             Command::State => Ok(state::told(self.bus.drive())),
             Command::Assumptions => Ok(assumptions().trim_end().to_owned()),
@@ -258,16 +260,16 @@ impl<'b, 'd, 'm, 's> Session<'b, 'd, 'm, 's> {
         }
     }
 
-    fn raise(&mut self, display: &str, number: Option<u16>) -> Said {
+    /// Does something with an alarm.
+    fn with_alarm(
+        &mut self,
+        display: &str,
+        number: Option<u16>,
+        act: impl FnOnce(&mut VirtualDrive<'m, 's>, &str, u16) -> Result<(), UnknownAlarm>,
+    ) -> Said {
         let alarm = self.alarm(display, number)?;
-        let raised = self.bus.drive().raise(alarm.display(), alarm.number());
-        raised.map(|()| String::new()).map_err(|error| Failed::Not(error.to_string()))
-    }
-
-    fn clear(&mut self, display: &str, number: Option<u16>) -> Said {
-        let alarm = self.alarm(display, number)?;
-        let ended = self.bus.drive().end_cause(alarm.display(), alarm.number());
-        ended.map(|()| String::new()).map_err(|error| Failed::Not(error.to_string()))
+        let done = act(self.bus.drive(), alarm.display(), alarm.number());
+        done.map(|()| String::new()).map_err(|error| Failed::Not(error.to_string()))
     }
 
     /// The alarm that is meant. One display may stand for several.
