@@ -18,7 +18,8 @@ fn krate(name: &str, cases: &[Case], change: impl Fn(&str) -> String) -> PathBuf
     let _ = fs::remove_dir_all(root.join("src"));
     let runtime = Path::new(env!("CARGO_MANIFEST_DIR")).join("../runtime");
     let manifest = format!(
-        "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2021\"\n\n[workspace]\n\n[dependencies]\n\
+        "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2021\"\n\n[workspace]\n\n[features]\nsim = []\n\n\
+         [dependencies]\n\
          drivewright-runtime = {{ path = {:?} }}\n",
         runtime.display().to_string()
     );
@@ -144,9 +145,14 @@ fn golden_rust_compiles_without_warnings() {
     let said = String::from_utf8_lossy(&output.stdout);
     assert!(output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
     assert!(said.contains(&format!("{} passed", golden_cases().len() + 2)), "{said}");
+    // A test of each virtual drive comes to that.
+    let output = cargo(&root, &["test", "--lib", "--features", "sim"]);
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert!(output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
+    assert!(said.contains(&format!("{} passed", golden_cases().len() * 2 + 2)), "{said}");
     let (said, passed) = examples(&root);
     assert!(passed && said.contains("running 0 tests"), "{said}");
-    let documented = cargo(&root, &["doc", "--no-deps"]);
+    let documented = cargo(&root, &["doc", "--no-deps", "--features", "sim"]);
     assert!(documented.status.success(), "{}", String::from_utf8_lossy(&documented.stderr));
 }
 
