@@ -6,6 +6,8 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 use crate::convert::ConvertArguments;
+use crate::demo::DemoArguments;
+use crate::simulate::SimulateArguments;
 
 const EXIT_CODES: &str = "\
 Exit codes: 0 fine, 1 findings, 2 wrong usage, 3 the disk refused.
@@ -107,6 +109,12 @@ pub(crate) enum Command {
     /// Tells what a revision of a drive means to its users, and which version its crate needs.
     #[command(after_help = DIFF_HELP)]
     Diff(DiffArguments),
+    /// Shows a drive without hardware: enabled, homed, run in each mode, made to fault, reset.
+    #[command(after_help = crate::demo::HELP)]
+    Demo(DemoArguments),
+    /// Runs a virtual drive of a profile, commanded by a script or from the terminal.
+    #[command(after_help = crate::simulate::HELP)]
+    Simulate(SimulateArguments),
     /// Lists every code.
     #[command(after_help = "Examples:\n  drivewright lints\n  drivewright lints --json")]
     Lints,

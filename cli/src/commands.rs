@@ -15,7 +15,7 @@ use drivewright_codegen::{Compiled, compile_folder, configuration, emit, schema}
 use crate::arguments::{Arguments, Command, Format, SchemaFormat};
 use crate::drives::{folder, folders};
 use crate::output::{Shape, colour, counted, disk, print, several, tell, tell_all, working};
-use crate::{End, audit, convert, coverage, dcf, diff, explain, todo};
+use crate::{End, audit, convert, coverage, dcf, demo, diff, explain, simulate, todo};
 
 /// Runs the command.
 pub(crate) fn run(arguments: &Arguments) -> End {
@@ -36,6 +36,8 @@ pub(crate) fn run(arguments: &Arguments) -> End {
         Command::Coverage { drives } => coverage::run(drives, json),
         Command::Todo { drives } => todo::run(drives, json),
         Command::Diff(wanted) => diff::run(wanted, shape),
+        Command::Demo(wanted) => demo::run(wanted, shape),
+        Command::Simulate(wanted) => simulate::run(wanted, shape),
         Command::Lints => print(&if json { codes_json() } else { codes() }),
         Command::Dcf(wanted) => dcf::run(wanted, asked(wanted.format), quiet),
         Command::Schema { format: SchemaFormat::Xsd, .. } if json => {

@@ -13,12 +13,16 @@ mod commands;
 mod convert;
 mod coverage;
 mod dcf;
+mod demo;
 mod diff;
 mod drives;
 mod explain;
 mod git;
 mod output;
+mod simulate;
+mod stage;
 mod todo;
+mod trace;
 
 use std::process::ExitCode;
 

@@ -20,7 +20,12 @@ const PLANES: usize = 3;
 /// assert_eq!(drivewright_runtime::sim::cells(&DriveModel::new(Identity::new("x", "y", "z"))), 0);
 /// ```
 pub const fn cells(model: &DriveModel<'_>) -> usize {
-    model.objects().len().saturating_mul(PLANES)
+    cells_for(model.objects().len())
+}
+
+/// How many cells a virtual drive with so many entries needs: [`cells`] for a constant, which must not look into a static.
+pub const fn cells_for(entries: usize) -> usize {
+    entries.saturating_mul(PLANES)
 }
 
 /// There are fewer cells than the model needs.

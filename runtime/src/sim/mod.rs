@@ -45,6 +45,6 @@ pub use drive::{NoAnswer, VirtualDrive};
 pub use events::Incident;
 pub use faults::{Disturbance, Disturbed, MAX_DISTURBANCES};
 pub use link::Link;
-pub use memory::{cells, SpaceError};
+pub use memory::{cells, cells_for, SpaceError};
 pub use network::BusRefusal;
 pub use process::MAX_MAPPED;

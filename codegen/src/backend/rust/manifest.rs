@@ -127,7 +127,9 @@ fn context(model: &Model) -> Context {
 pub(super) fn lib(preamble: &str, modules: &[Module]) -> String {
     let mut out = format!("{preamble}\n{ROOT}");
     for module in modules {
-        let _ = write!(out, "\n#[rustfmt::skip]\npub mod {};\n", module.name);
+        let feature =
+            module.feature.map(|name| format!("#[cfg(feature = \"{name}\")]\n")).unwrap_or_default();
+        let _ = write!(out, "\n{feature}#[rustfmt::skip]\npub mod {};\n", module.name);
     }
     out.push_str("\npub use table::MODEL;\n");
     out

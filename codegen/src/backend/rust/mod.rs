@@ -17,6 +17,7 @@ mod lower;
 mod manifest;
 mod names;
 mod number;
+mod sim;
 mod table;
 mod values;
 
@@ -44,7 +45,8 @@ impl Backend for Rust {
         let lowered = Lowered::new(model, sink);
         let preamble = preamble(model);
         // Every path here is a literal, so none can be refused.
-        let modules = modules(&lowered);
+        let mut modules = modules(&lowered);
+        modules.push(sim::module(&lowered));
         for module in &modules {
             let text = format!("//! {}\n\n{preamble}\n{}", module.doc, module.body);
             let _ = out.add(format!("src/{}.rs", module.name), text);
@@ -71,11 +73,14 @@ struct Module {
     name: &'static str,
     doc: String,
     body: String,
+    /// The feature without which it is not there.
+    feature: Option<&'static str>,
 }
 
 fn modules(lowered: &Lowered<'_>) -> Vec<Module> {
     let drive = escape::rust_doc(&lowered.model.drive.name);
-    let module = |name, doc: &str, body| Module { name, doc: doc.replace("DRIVE", &drive), body };
+    let module =
+        |name, doc: &str, body| Module { name, doc: doc.replace("DRIVE", &drive), body, feature: None };
     let mut modules = vec![
         module(
             "od",

@@ -173,7 +173,9 @@ impl<'m> Modes<'m> {
 
     /// Whether the axis stands and nothing moves it.
     pub(crate) fn stands(&self) -> bool {
-        self.plant.standstill() && (self.lead == Lead::Nothing || self.planner.point().velocity == 0)
+        // The last part of a count may take the planner long: at a speed that counts as none.
+        let slow = self.planner.point().velocity.abs() <= self.plant.config().standstill;
+        self.plant.standstill() && (self.lead == Lead::Nothing || slow)
     }
 
     /// Bits 10 to 13 of the statusword.

@@ -26,4 +26,8 @@ pub mod alarms;
 #[rustfmt::skip]
 pub mod table;
 
+#[cfg(feature = "sim")]
+#[rustfmt::skip]
+pub mod sim;
+
 pub use table::MODEL;

@@ -29,4 +29,8 @@ pub mod behaviour;
 #[rustfmt::skip]
 pub mod table;
 
+#[cfg(feature = "sim")]
+#[rustfmt::skip]
+pub mod sim;
+
 pub use table::MODEL;
