@@ -11,6 +11,8 @@ use drivewright_codegen::check::LINTS;
 use drivewright_tests::random::Random;
 use drivewright_tests::{cases, drives};
 
+use crate::targets::Kind;
+
 /// Longest input: what is longer is slower and says no more.
 const LONGEST: usize = 20_000;
 
@@ -173,7 +175,15 @@ impl Inputs {
         self.small.len() + self.real.len()
     }
 
-    /// Input `n`.
+    /// Input `n` of a kind.
+    pub fn of(&self, kind: Kind, n: u64) -> Vec<u8> {
+        match kind {
+            Kind::Text => self.get(n),
+            Kind::Bytes => decisions(n),
+        }
+    }
+
+    /// Input `n`, a text.
     pub fn get(&self, n: u64) -> Vec<u8> {
         let mut random = Random::new(n.wrapping_mul(0x2545_F491_4F6C_DD1D) ^ 402);
         if random.once_in(100) {
@@ -316,6 +326,15 @@ fn scratch(bytes: &mut Vec<u8>, random: &mut Random) {
 }
 
 /// Bytes of chance, or one fragment many times.
+/// Bytes that decide: some inputs are short, none is long.
+fn decisions(n: u64) -> Vec<u8> {
+    let mut random = Random::new(n.wrapping_mul(0x2545_F491_4F6C_DD1D) ^ 6402);
+    let length = 16 + random.below(1_200);
+    let mut bytes: Vec<u8> = (0..length.div_ceil(8)).flat_map(|_| random.next().to_le_bytes()).collect();
+    bytes.truncate(length);
+    bytes
+}
+
 fn noise(random: &mut Random) -> Vec<u8> {
     if random.once_in(2) {
         return (0..random.below(300)).map(|_| random.next() as u8).collect();

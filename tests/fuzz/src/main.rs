@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
+use drivewright_fuzz::behaviour;
 use drivewright_fuzz::input::Inputs;
 use drivewright_fuzz::run::{Plan, Report, run};
-use drivewright_fuzz::targets::{Target, targets};
+use drivewright_fuzz::targets::{Kind, Target, all, targets};
 use lexopt::prelude::*;
 
 const HELP: &str = "\
@@ -31,6 +32,8 @@ const SOUND: u64 = 10;
 const MEMORY: u64 = 2 << 30;
 /// Of this many inputs each backend gets one, `parse_profile` the others: emitting and reading back is the slow part.
 const ROUND: usize = 16;
+/// Of so many inputs the client gets three: a virtual drive takes longer.
+const SHARES: [usize; 2] = [3, 1];
 
 fn main() -> ExitCode {
     match start() {
@@ -56,24 +59,46 @@ fn start() -> Result<bool, Box<dyn Error>> {
             other => return Err(other.unexpected().into()),
         }
     }
-    let inputs = Inputs::new();
+    let (compiler, runtime) = (targets(), behaviour::targets());
+    let asked = |targets: Vec<Target>| -> Vec<Target> {
+        targets.into_iter().filter(|t| only.as_ref().is_none_or(|name| *name == t.name)).collect()
+    };
+    let (compiler, runtime) = (asked(compiler), asked(runtime));
+    if compiler.is_empty() && runtime.is_empty() {
+        return Err("there is no such target".into());
+    }
+    let (numbers, part) = (from..from + many, only.is_some());
+    let mut fine = true;
+    if !compiler.is_empty() {
+        let others = compiler.len() - 1;
+        let first = |n| if n == 0 { ROUND.saturating_sub(others).max(1) } else { 1 };
+        let shares = compiler.into_iter().enumerate().map(|(n, t)| (t, first(n))).collect();
+        let report = fed(shares, numbers.clone())?;
+        fine &= told(&report, &folder()?)? && reached(&report, many, part);
+    }
+    if !runtime.is_empty() {
+        let shares = runtime.into_iter().zip(SHARES).collect();
+        let report = fed(shares, numbers)?;
+        fine &= told(&report, &folder()?)? && operated(&report, many, part);
+    }
+    Ok(fine && memory())
+}
+
+/// Feeds some targets, each with its share of the inputs.
+fn fed(targets: Vec<(Target, usize)>, numbers: std::ops::Range<u64>) -> Result<Report, Box<dyn Error>> {
+    let (inputs, many) = (Inputs::new(), numbers.end - numbers.start);
     println!("{} seeds", inputs.seeds());
-    let mut targets: Vec<(Target, usize)> = targets().into_iter().map(|t| (t, 1)).collect();
-    targets.retain(|(t, _)| only.as_ref().is_none_or(|name| *name == t.name));
-    let others = targets.len().saturating_sub(1);
-    targets.first_mut().ok_or("there is no such target")?.1 = ROUND.saturating_sub(others).max(1);
-    let folder = folder()?;
     let plan = Plan {
         targets,
-        numbers: from..from + many,
+        numbers,
         threads: std::thread::available_parallelism().map_or(1, usize::from),
         patience: Duration::from_secs(30),
-        notes: Some(folder.clone()),
+        notes: Some(folder()?),
     };
     let start = Instant::now();
     let report = run(inputs, plan);
     println!("{many} inputs in {:.1} s", start.elapsed().as_secs_f64());
-    Ok(told(&report, &folder)? && reached(&report, many, only.is_some()) && memory())
+    Ok(report)
 }
 
 /// Where failing inputs go.
@@ -106,7 +131,7 @@ fn told(report: &Report, folder: &Path) -> std::io::Result<bool> {
     }
     for failure in &report.failures {
         let path = folder.join(format!("{}-{}", failure.target, failure.number));
-        std::fs::write(&path, Inputs::new().get(failure.number))?;
+        std::fs::write(&path, failing(&failure.target, failure.number))?;
         println!(
             "FAILED: {}, input {}: {}\n  kept as {}",
             failure.target,
@@ -116,6 +141,21 @@ fn told(report: &Report, folder: &Path) -> std::io::Result<bool> {
         );
     }
     Ok(report.failures.is_empty())
+}
+
+/// The input that a target failed with.
+fn failing(target: &str, number: u64) -> Vec<u8> {
+    let kind = all().into_iter().find(|t| t.name == target).map_or(Kind::Text, |t| t.kind);
+    Inputs::new().of(kind, number)
+}
+
+/// Client and drive are in operation in many inputs; otherwise little was tried.
+fn operated(report: &Report, many: u64, part: bool) -> bool {
+    let enough = report.counts.iter().all(|c| c.sound >= c.inputs / SOUND && c.codes.len() > 1);
+    if many >= MANY && !part && !enough {
+        println!("FAILED: one input of {SOUND} is to reach operation, with each target");
+    }
+    enough || part || many < MANY
 }
 
 /// A fuzzer that reaches nothing finds nothing.

@@ -130,7 +130,7 @@ impl Shared {
             self.at[thread].0.store(number, Ordering::Release);
             let place = self.target(number);
             let target = &self.plan.targets[place].0;
-            let bytes = self.inputs.get(number);
+            let bytes = self.inputs.of(target.kind, number);
             match catch_unwind(AssertUnwindSafe(|| (target.function)(&bytes))) {
                 Ok(reached) => counts[place].add(&reached),
                 Err(panic) => {

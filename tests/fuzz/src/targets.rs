@@ -19,22 +19,39 @@ pub struct Reached {
 /// A function that panics where something is wrong.
 pub type Function = Box<dyn Fn(&[u8]) -> Reached + Send + Sync>;
 
+/// What a target is fed with.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Kind {
+    /// Texts that are nearly a profile.
+    Text,
+    /// Bytes that stand for decisions.
+    Bytes,
+}
+
 /// A function with its name.
 pub struct Target {
-    /// `parse_profile`, `emit_rust`.
+    /// `parse_profile`, `emit_rust`, `client.step`.
     pub name: String,
+    /// What it is fed with.
+    pub kind: Kind,
     /// The function.
     pub function: Function,
 }
 
 /// `parse_profile`, and `emit_<id>` for every backend.
 pub fn targets() -> Vec<Target> {
-    let parse = Target { name: "parse_profile".into(), function: Box::new(parse_profile) };
+    let parse = Target { name: "parse_profile".into(), kind: Kind::Text, function: Box::new(parse_profile) };
     let emits = backend::ALL.iter().map(|backend| Target {
         name: format!("emit_{}", backend.id()),
+        kind: Kind::Text,
         function: Box::new(|bytes| emitted(bytes, *backend)),
     });
     [parse].into_iter().chain(emits).collect()
+}
+
+/// Those of the compiler and those of the runtime.
+pub fn all() -> Vec<Target> {
+    targets().into_iter().chain(crate::behaviour::targets()).collect()
 }
 
 /// The files of an input: a zero byte is between two. XML begins with `<`, TOML does not.

@@ -2,9 +2,10 @@
 
 use std::time::Duration;
 
+use drivewright_fuzz::behaviour;
 use drivewright_fuzz::input::Inputs;
 use drivewright_fuzz::run::{Plan, Report, run};
-use drivewright_fuzz::targets::{Reached, Target, targets};
+use drivewright_fuzz::targets::{Kind, Reached, Target, targets};
 
 fn fuzz(targets: Vec<Target>, patience: Duration) -> Report {
     let targets = targets.into_iter().map(|t| (t, 1)).collect();
@@ -12,7 +13,7 @@ fn fuzz(targets: Vec<Target>, patience: Duration) -> Report {
 }
 
 fn target(name: &str, function: impl Fn(&[u8]) -> Reached + Send + Sync + 'static) -> Target {
-    Target { name: name.into(), function: Box::new(function) }
+    Target { name: name.into(), kind: Kind::Text, function: Box::new(function) }
 }
 
 fn holds(bytes: &[u8], text: &str) -> bool {
@@ -53,5 +54,14 @@ fn nothing_is_found_in_the_compiler_and_much_is_reached() {
     assert_eq!(report.counts.iter().map(|c| c.inputs).sum::<u64>(), 3_000);
     for count in &report.counts {
         assert!(count.sound > 10 && count.codes.len() > 10, "{count:?}");
+    }
+}
+
+#[test]
+fn nothing_is_found_in_client_and_drive_and_both_operate() {
+    let report = fuzz(behaviour::targets(), LONG);
+    assert_eq!(report.failures, []);
+    for count in &report.counts {
+        assert!(count.sound > 100 && count.codes.len() > 1, "{count:?}");
     }
 }

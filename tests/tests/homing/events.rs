@@ -96,7 +96,7 @@ impl Axis<'_> {
     fn ahead(&self, direction: Side) -> Option<i64> {
         let edge = match direction {
             Side::Positive => self.scene.switches.above(self.position),
-            _ => self.scene.switches.below(self.position),
+            Side::Negative => self.scene.switches.below(self.position),
         };
         edge.filter(|edge| edge.abs() <= STOP)
     }
