@@ -83,7 +83,7 @@ impl<'c, 'm> Operation<'c, 'm> {
         }
     }
 
-    /// With what says whether [`Step::Hold`] goes on.
+    /// With what says whether [`Step::Hold`](super::Step::Hold) goes on.
     #[must_use]
     pub fn while_held(mut self, held: &'c mut dyn FnMut() -> bool) -> Self {
         self.held = Some(held);
