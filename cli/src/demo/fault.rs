@@ -67,8 +67,6 @@ pub(super) fn reset(actor: &mut Actor<'_, '_, '_, '_>) -> Result<String, String>
     let resettable = actor.machine().alarms().all(|active| clears(active.alarm.reset()));
     if resettable {
         actor.operate()?;
-        // The first cycle after the silence tells the client that the axis is not in operation any more.
-        let _ = actor.drive.cycle();
         actor.drive.reset_fault().map_err(said)?;
         actor.hold(PAUSE)?;
         return Ok(format!("by a rising edge of bit 7; {}", actor.machine().state()));
