@@ -1,6 +1,8 @@
 #![doc = include_str!("../README.md")]
 #![no_std]
 #![forbid(unsafe_code)]
+// What `wire_enum!` expands to, here in its own crate; each attribute in it would cost every enum of every drive.
+#![allow(clippy::cast_lossless, clippy::expl_impl_clone_on_copy)]
 
 #[cfg(test)]
 extern crate std;

@@ -170,7 +170,8 @@ macro_rules! wire_enum {
         }
     ) => {
         // As few and as short bodies as do: each costs every user of a drive with hundreds of tables. `PartialEq` must be
-        // derived, so that constants are patterns; `Clone` and `Eq` are cheaper by hand.
+        // derived, so that constants are patterns; `Clone` and `Eq` are cheaper by hand. Attributes cost, too, and bodies as
+        // small as these are inlined without one.
         $(#[$meta])*
         #[derive(PartialEq)]
         #[repr(transparent)]
@@ -179,7 +180,7 @@ macro_rules! wire_enum {
             $vis $repr,
         );
 
-        #[allow(dead_code, clippy::cast_lossless)]
+        #[allow(dead_code)]
         impl $name {
             $($(#[$value_meta])* $vis const $value_name: Self = Self($value);)*
 
@@ -190,7 +191,6 @@ macro_rules! wire_enum {
             };
 
             /// The name in words; `None` for a number that the manual does not name.
-            #[inline]
             $vis fn name(self) -> ::core::option::Option<&'static str> {
                 Self::DESC.name_of(self.0 as i128)
             }
@@ -198,9 +198,7 @@ macro_rules! wire_enum {
 
         impl ::core::marker::Copy for $name {}
 
-        #[allow(clippy::expl_impl_clone_on_copy)]
         impl ::core::clone::Clone for $name {
-            #[inline]
             fn clone(&self) -> Self {
                 *self
             }
@@ -211,27 +209,22 @@ macro_rules! wire_enum {
         impl $crate::wire_enum::Newtype for $name {
             type Repr = $repr;
 
-            #[inline]
             fn from_repr(repr: $repr) -> Self {
                 Self(repr)
             }
 
-            #[inline]
             fn repr(self) -> $repr {
                 self.0
             }
         }
 
         impl ::core::fmt::Debug for $name {
-            #[inline]
-            #[allow(clippy::cast_lossless)]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 $crate::wire_enum::debug(f, Self::DESC, self.0 as i128)
             }
         }
 
         impl<H: $crate::constant::Holds<Value = $name>> $crate::constant::Whole<H> for $name {
-            #[allow(clippy::cast_lossless)]
             const COUNT: i128 = H::VALUE.0 as i128;
         }
 

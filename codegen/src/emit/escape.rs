@@ -50,23 +50,64 @@ pub fn one_line(text: &str) -> String {
 
 /// Whether `text` is printable ASCII, as nearly every text is: then no character of it is looked at twice.
 fn is_plain(text: &str) -> bool {
-    text.as_bytes().iter().all(|b| matches!(b, b' '..=b'~'))
+    begins_with(text, &PRINTABLE) == text.len()
+}
+
+/// Bytes, as a table.
+type Bytes = [bool; 256];
+
+/// Printable ASCII.
+const PRINTABLE: Bytes = printable_but(b"");
+
+/// Printable ASCII without `special`.
+const fn printable_but(special: &[u8]) -> Bytes {
+    let mut all = [false; 256];
+    let mut byte = b' ' as usize;
+    while byte <= b'~' as usize {
+        all[byte] = true;
+        byte += 1;
+    }
+    let mut at = 0;
+    while at < special.len() {
+        all[special[at] as usize] = false;
+        at += 1;
+    }
+    all
+}
+
+/// How many bytes at the start of `text` are among `some`, which are ASCII. A plain loop, since it is where a compiler that
+/// nobody optimized, that of a build script, spends its time.
+fn begins_with(text: &str, some: &Bytes) -> usize {
+    let bytes = text.as_bytes();
+    let mut at = 0;
+    while at < bytes.len() && some[bytes[at] as usize] {
+        at += 1;
+    }
+    at
+}
+
+/// `text`, in which `one` writes each character that is not among `plain`; it is told where the character stands.
+fn escaped(text: &str, plain: &Bytes, mut one: impl FnMut(&mut String, usize, char)) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut at = 0;
+    loop {
+        let same = begins_with(&text[at..], plain);
+        out.push_str(&text[at..at + same]);
+        at += same;
+        let Some(c) = text[at..].chars().next() else { return out };
+        one(&mut out, at, c);
+        at += c.len_utf8();
+    }
 }
 
 /// Text inside one line of plain text, from which the text can be read back: hidden characters as `\u{202e}`.
 pub fn plain_line(text: &str) -> String {
-    if is_plain(text) && !text.contains('\\') {
-        return text.to_owned();
-    }
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '\\' => out.push_str("\\\\"),
-            c if is_hidden(c) => out.extend(c.escape_unicode()),
-            c => out.push(c),
-        }
-    }
-    out
+    const PLAIN: Bytes = printable_but(b"\\");
+    escaped(text, &PLAIN, |out, _, c| match c {
+        '\\' => out.push_str("\\\\"),
+        c if is_hidden(c) => out.extend(c.escape_unicode()),
+        c => out.push(c),
+    })
 }
 
 /// Text for a person to read, of one line or several: hidden characters but line feeds as `\u{202e}`. Not to be read back.
@@ -80,9 +121,7 @@ pub fn visible(text: &str) -> String {
 
 /// A JSON text in which strings hold hidden characters: the same with those as escapes.
 pub fn json(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    text.chars().for_each(|c| json_char(&mut out, c));
-    out
+    escaped(text, &PRINTABLE, |out, _, c| json_char(out, c))
 }
 
 /// A character inside a JSON string that `serde_json` has quoted; a hidden one becomes an escape.
@@ -98,18 +137,12 @@ pub fn json_char(out: &mut String, c: char) {
 
 /// Text inside a Rust string literal, without the quotes.
 pub fn rust_str(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '"' | '\\' => {
-                out.push('\\');
-                out.push(c);
-            }
-            c if is_hidden(c) => out.extend(c.escape_unicode()),
-            c => out.push(c),
-        }
-    }
-    out
+    const PLAIN: Bytes = printable_but(b"\"\\");
+    escaped(text, &PLAIN, |out, _, c| match c {
+        '"' | '\\' => out.extend(['\\', c]),
+        c if is_hidden(c) => out.extend(c.escape_unicode()),
+        c => out.push(c),
+    })
 }
 
 /// Text of a Rust doc comment line: one line that can open no link, block, code block or HTML tag. What it says is never
@@ -124,20 +157,23 @@ pub fn markdown(text: &str) -> String {
     let line = one_line(text);
     // Four blanks at the start of a line would make it code, which `cargo test` compiles and runs.
     let line = line.trim();
-    let mut out = String::with_capacity(line.len());
     let marker = block_marker(line);
-    for (at, c) in line.char_indices() {
-        match c {
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '&' => out.push_str("&amp;"),
-            '\\' | '`' | '*' | '_' | '[' | ']' | '|' | '#' | '~' | '$' => out.extend(['\\', c]),
-            c if marker == Some(at) || makes_link(&line[..at], &line[at..]) => out.extend(['\\', c]),
-            c => out.push(c),
-        }
-    }
-    out
+    let one = |out: &mut String, at: usize, c| match c {
+        '<' => out.push_str("&lt;"),
+        '>' => out.push_str("&gt;"),
+        '&' => out.push_str("&amp;"),
+        '\\' | '`' | '*' | '_' | '[' | ']' | '|' | '#' | '~' | '$' => out.extend(['\\', c]),
+        c if marker == Some(at) || makes_link(&line[..at], &line[at..]) => out.extend(['\\', c]),
+        c => out.push(c),
+    };
+    escaped(line, &MARKDOWN, one)
 }
+
+/// What may stand in Markdown as it is. The last row has what begins a block or a link, which depends on where it stands.
+const MARKDOWN: Bytes = printable_but(
+    b"<>&\\`*_[]|#~$\
+    -+=:.)",
+);
 
 /// A text as the anchor of a page: its ASCII letters and digits in lower case, with one `-` for what is between them. It may
 /// be empty, and two texts may have the same.
@@ -168,19 +204,16 @@ fn makes_link(before: &str, rest: &str) -> bool {
 /// Text in an XML element or between the double quotes of an attribute, from which every reader reads the same text: hidden
 /// characters and line breaks as numbers. Those that XML cannot hold at all become U+FFFD.
 pub fn xml(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            c if !is_xml(c) => out.push('\u{FFFD}'),
-            c if is_hidden(c) => drop(write!(out, "&#x{:X};", u32::from(c))),
-            c => out.push(c),
-        }
-    }
-    out
+    const PLAIN: Bytes = printable_but(b"&<>\"");
+    escaped(text, &PLAIN, |out, _, c| match c {
+        '&' => out.push_str("&amp;"),
+        '<' => out.push_str("&lt;"),
+        '>' => out.push_str("&gt;"),
+        '"' => out.push_str("&quot;"),
+        c if !is_xml(c) => out.push('\u{FFFD}'),
+        c if is_hidden(c) => drop(write!(out, "&#x{:X};", u32::from(c))),
+        c => out.push(c),
+    })
 }
 
 /// Whether XML 1.0 can hold a character.
@@ -190,20 +223,17 @@ pub fn is_xml(c: char) -> bool {
 
 /// Text in a basic string of TOML, without the quotes, from which the text can be read back.
 pub fn toml_str(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '"' | '\\' => out.extend(['\\', c]),
-            '\n' => out.push_str("\\n"),
-            '\t' => out.push_str("\\t"),
-            c if is_hidden(c) => {
-                let n = u32::from(c);
-                let _ = if n > 0xFFFF { write!(out, "\\U{n:08X}") } else { write!(out, "\\u{n:04X}") };
-            }
-            c => out.push(c),
+    const PLAIN: Bytes = printable_but(b"\"\\");
+    escaped(text, &PLAIN, |out, _, c| match c {
+        '"' | '\\' => out.extend(['\\', c]),
+        '\n' => out.push_str("\\n"),
+        '\t' => out.push_str("\\t"),
+        c if is_hidden(c) => {
+            let n = u32::from(c);
+            let _ = if n > 0xFFFF { write!(out, "\\U{n:08X}") } else { write!(out, "\\u{n:04X}") };
         }
-    }
-    out
+        c => out.push(c),
+    })
 }
 
 /// A value in an INI file (EDS, DCF): one line of printable ASCII without the signs that some reader takes for a comment,

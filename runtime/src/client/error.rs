@@ -5,6 +5,7 @@ use core::fmt;
 use crate::address::Address;
 use crate::client::axis::AxisError;
 use crate::client::image::ImageError;
+use crate::client::message::{Explain, Lines, Report};
 use crate::client::object::AccessError;
 use crate::object::RangeError;
 use crate::quantity::QuantityKind;
@@ -45,12 +46,36 @@ pub enum ClientError {
     },
 }
 
-impl fmt::Display for ClientError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl ClientError {
+    /// The error that says more; `None` if this is all.
+    fn inner(&self) -> Option<&dyn Explain> {
         match self {
-            Self::Axis(error) => error.fmt(f),
-            Self::Access(error) => error.fmt(f),
-            Self::Image(error) => error.fmt(f),
+            Self::Axis(error) => Some(error),
+            Self::Access(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl Explain for ClientError {
+    fn code(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Axis(error) => return error.code(f),
+            Self::Access(error) => return error.code(f),
+            Self::Image(_) => "LAYOUT",
+            Self::Unit { .. } | Self::NoScale => "UNIT",
+            Self::Range(_) => "RANGE",
+            Self::NotResettable { .. } => "RESET",
+            Self::NotAHomingMethod { .. } => "HOMING",
+        })
+    }
+
+    fn what(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Axis(error) => error.what(f),
+            Self::Access(error) => error.what(f),
+            Self::Image(error) => write!(f, "{error}"),
+            Self::Range(error) => write!(f, "{error}"),
             Self::Unit { address, entry: Some(entry), given } => {
                 write!(f, "{address} measures {}, not {}", entry.name(), given.name())
             }
@@ -61,16 +86,44 @@ impl fmt::Display for ClientError {
                     given.name()
                 )
             }
-            Self::Range(error) => error.fmt(f),
             Self::NoScale => f.write_str("user units need the scale of the drive, and none has been set"),
             Self::NotResettable { code } => {
-                write!(f, "error code {code:04X}h: no alarm with this code can be reset; switch the control supply off and on")
-            }
-            Self::NotAHomingMethod { method: 0 } => {
-                f.write_str("0 is no homing method: not to home is up to the program")
+                write!(f, "no alarm with the error code {code:04X}h can be reset")
             }
             Self::NotAHomingMethod { method } => write!(f, "the drive has no homing method {method}"),
         }
+    }
+
+    fn details(&self, lines: &mut Lines<'_, '_>) -> fmt::Result {
+        self.inner().map_or(Ok(()), |inner| inner.details(lines))
+    }
+
+    fn why(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotAHomingMethod { method: 0 } => {
+                f.write_str("not to home is up to the program, it is no method")
+            }
+            _ => self.inner().map_or(Ok(()), |inner| inner.why(f)),
+        }
+    }
+
+    fn remedy(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Axis(error) => return error.remedy(f),
+            Self::Access(error) => return error.remedy(f),
+            Self::Image(_) => "read the layout back and compare it, then use the one that the drive has",
+            Self::Unit { .. } => "give the value in this unit, or as a raw count",
+            Self::NoScale => "read the gear objects of the drive and set a scale, or give raw counts",
+            Self::Range(_) => "give a value that the entry takes",
+            Self::NotResettable { .. } => "remove the cause, then switch the control supply off and on",
+            Self::NotAHomingMethod { .. } => "take a method of the drive",
+        })
+    }
+}
+
+impl fmt::Display for ClientError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&Report::new(self), f)
     }
 }
 

@@ -209,7 +209,8 @@ impl<'m> Image<'m> {
     /// As of [`new`](Self::new).
     pub fn for_axis(rx: &'m [MapEntry], tx: &'m [MapEntry], axis: u8) -> Result<Self, ImageError> {
         let image = Self { rx, tx, axis };
-        for entry in rx.iter().chain(tx).filter(|entry| entry.bits() == 0 || entry.bits() % 8 != 0) {
+        let is_odd = |entry: &&MapEntry| entry.bits() == 0 || entry.bits() % 8 != 0;
+        if let Some(entry) = rx.iter().chain(tx).find(is_odd) {
             return Err(ImageError::NotBytes { entry: *entry });
         }
         if bytes(rx) > FRAME_BYTES || bytes(tx) > FRAME_BYTES {
@@ -240,12 +241,8 @@ impl<'m> Image<'m> {
         }
     }
 
-    /// The entry of this axis that is at `address` for the first one. Entries outside 6000h to 67FFh are those of the
-    /// device, which all axes share.
+    /// The entry of this axis that is at `address` for the first one.
     pub const fn at(&self, address: Address) -> Address {
-        if address.index() < 0x6000 || address.index() > 0x67FF {
-            return address;
-        }
         let offset = AXIS_OFFSET.saturating_mul(self.axis as u16);
         Address::new(address.index().saturating_add(offset), address.sub())
     }
@@ -351,7 +348,7 @@ fn put(frame: &mut [u8], at: usize, bits: u8, value: &[u8]) {
 }
 
 fn bytes(layout: &[MapEntry]) -> usize {
-    layout.iter().fold(0_usize, |sum, entry| sum.saturating_add(usize::from(entry.bits()))).div_ceil(8)
+    layout.iter().fold(0_usize, |bits, entry| bits.saturating_add(entry.bits().into())).div_ceil(8)
 }
 
 /// The first byte of an entry. Layouts of an image have whole bytes.

@@ -44,8 +44,7 @@ fn target<T: TryFrom<i64>>(client: &Client<'_>, address: Address, amount: Amount
     let count = client.count(address, amount)?;
     let at = client.image().at(address);
     let model = client.model();
-    let missing =
-        AccessError { address: at, action: Action::Write(Some(count.into())), cause: Cause::NotInProfile };
+    let missing = AccessError { address: at, action: Action::Write(Some(count)), cause: Cause::NotInProfile };
     let object = model.object(at).ok_or(missing)?;
     let limit = |limit: Option<i128>, nearest| limit.and_then(|n| i64::try_from(n).ok()).unwrap_or(nearest);
     let range = (limit(object.min(), i64::MIN), limit(object.max(), i64::MAX));
@@ -166,9 +165,10 @@ pub fn torque(
 ) -> Result<Plan, ClientError> {
     let torque = target(client, TARGET_TORQUE, torque)?;
     let plan = in_mode(Mode::PROFILE_TORQUE).amount(client, TORQUE_SLOPE, slope)?;
-    Ok(match client.shows_target_reached(Mode::PROFILE_TORQUE) {
-        true => plan.then(Step::Goal(Request::Torque(torque, within))),
-        false => plan.then(Step::TargetTorque(torque)).then(Step::Cycle),
+    Ok(if client.shows_target_reached(Mode::PROFILE_TORQUE) {
+        plan.then(Step::Goal(Request::Torque(torque, within)))
+    } else {
+        plan.then(Step::TargetTorque(torque)).then(Step::Cycle)
     })
 }
 

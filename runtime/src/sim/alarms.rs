@@ -95,17 +95,19 @@ impl<'m> Alarms<'m> {
         Self { model, active: Bounded::EMPTY, messages: Bounded::EMPTY }
     }
 
-    /// Raises an alarm; one that is active already only gets its cause again. `sends`: a message goes out.
-    pub(crate) fn raise(&mut self, alarm: &'m AlarmDesc<'m>, cause: bool, sends: bool) {
+    /// Raises an alarm; one that is active already only gets its cause again. `sends`: a message goes out. Gives whether it
+    /// is new.
+    pub(crate) fn raise(&mut self, alarm: &'m AlarmDesc<'m>, cause: bool, sends: bool) -> bool {
         let same = |active: &&mut ActiveAlarm<'m>| active.alarm.is(alarm.display(), alarm.number());
         if let Some(active) = self.active.items.iter_mut().flatten().find(same) {
             active.cause |= cause;
-            return;
+            return false;
         }
         self.active.push(ActiveAlarm { alarm, cause });
         if sends {
             self.messages.push(message(self.model, alarm, self.register()));
         }
+        true
     }
 
     /// The cause of an alarm is gone.

@@ -37,6 +37,8 @@ assumptions! {
     "ramp of transitions 5 and 8", "the state is left at standstill", "the drive function ends with the ramp";
     "option codes without an object", "605Ah 2, 605Bh 0, 605Ch 1, 605Dh 1, 605Eh 2", "the usual defaults; Config";
     "option codes that the standard does not know", "as 0", "off is the safest reading";
+    "stop that does not come to standstill", "after 5 s the power stage goes off",
+        "the state machine must not hang on a load that pulls; Config::stop_time";
     "option 0", "the axis coasts and the state is left at once", "the power stage is off";
     "options 3 and 4", "with the highest torque that the limits allow", "the model of the motor has no voltage";
     "quick-stop ramp without 6085h", "60,000 rpm/s", "steep, and within the torque of a usual servo; Config";

@@ -61,6 +61,8 @@ pub struct Config {
     pub halt_option: i16,
     /// 605Eh where there is none.
     pub fault_option: i16,
+    /// The longest that a quick stop or a fault reaction waits for standstill; then the power stage goes off.
+    pub stop_time: Duration,
     /// How long homing may take; zero: for ever.
     pub homing_time: Duration,
     /// How long the torque may be above rated torque, at twice the rated torque; shorter for more.
@@ -87,6 +89,7 @@ impl Default for Config {
             disable_option: 1,
             halt_option: 1,
             fault_option: 2,
+            stop_time: Duration::from_secs(5),
             homing_time: Duration::from_secs(60),
             overload_time: Duration::from_secs(10),
             target_jump: 4,

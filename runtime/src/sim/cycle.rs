@@ -8,7 +8,7 @@ use crate::model::EsmState;
 use crate::rule::Occasion;
 
 use super::alarms::Alarms;
-use super::device::{Device, Inputs, StopOptions};
+use super::device::{Device, Inputs, StopOptions, Times};
 use super::drive::VirtualDrive;
 use super::events::Incident;
 use super::memory::Slot;
@@ -125,7 +125,8 @@ impl VirtualDrive<'_, '_> {
             persists: self.alarms.is_active(),
             local: self.local,
         };
-        self.device.step(&inputs, cycle, self.config.start_up)
+        let times = Times { cycle, start_up: self.config.start_up, stop: self.config.stop_time };
+        self.device.step(&inputs, &times)
     }
 
     /// What a transition does besides leading to another state.

@@ -42,13 +42,23 @@ pub(crate) struct StopOptions {
     pub(crate) fault: StopOption,
 }
 
+/// How long things take.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Times {
+    pub(crate) cycle: Duration,
+    /// From power-on to switch on disabled.
+    pub(crate) start_up: Duration,
+    /// The longest that a quick stop or a fault reaction waits for standstill.
+    pub(crate) stop: Duration,
+}
+
 /// The state machine.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Device {
     state: State,
     previous: Controlword,
-    /// Time since power-on, of the start-up.
-    up: Duration,
+    /// Time in this state.
+    time: Duration,
     /// A transition that waits until the axis stands.
     leaving: Option<(Transition, Reaction)>,
 }
@@ -57,7 +67,7 @@ impl Device {
     /// Control supply on: transition 0.
     pub(crate) const fn new() -> Self {
         let state = State::NotReadyToSwitchOn;
-        Self { state, previous: Controlword(0), up: Duration::ZERO, leaving: None }
+        Self { state, previous: Controlword(0), time: Duration::ZERO, leaving: None }
     }
 
     pub(crate) const fn state(&self) -> State {
@@ -70,18 +80,14 @@ impl Device {
     }
 
     /// One cycle. Gives the transition that was made.
-    pub(crate) fn step(
-        &mut self,
-        inputs: &Inputs,
-        cycle: Duration,
-        start_up: Duration,
-    ) -> Option<Transition> {
-        self.up = self.up.saturating_add(cycle);
+    pub(crate) fn step(&mut self, inputs: &Inputs, times: &Times) -> Option<Transition> {
+        self.time = self.time.saturating_add(times.cycle);
         let previous = core::mem::replace(&mut self.previous, inputs.word);
-        let transition = self.transition(inputs, previous, start_up);
+        let transition = self.transition(inputs, previous, times);
         if let Some(transition) = transition {
             self.leaving = None;
             self.state = transition.to();
+            self.time = Duration::ZERO;
         }
         transition
     }
@@ -97,18 +103,13 @@ impl Device {
         }
     }
 
-    fn transition(
-        &mut self,
-        inputs: &Inputs,
-        previous: Controlword,
-        start_up: Duration,
-    ) -> Option<Transition> {
+    fn transition(&mut self, inputs: &Inputs, previous: Controlword, times: &Times) -> Option<Transition> {
         let options =
             Options { quick_stop_stays: inputs.options.quick_stop.stays, fault_persists: inputs.persists };
         let of = |state, cause| Transition::of(state, cause, options);
         let fault = inputs.fault && self.state != State::NotReadyToSwitchOn;
         let failed = fault.then(|| of(self.state, Cause::Fault)).flatten();
-        failed.or_else(|| self.done(inputs, start_up).then(|| of(self.state, Cause::Done)).flatten()).or_else(
+        failed.or_else(|| self.done(inputs, times).then(|| of(self.state, Cause::Done)).flatten()).or_else(
             || {
                 let command = self.command(inputs, previous);
                 let transition = command.and_then(|command| of(self.state, Cause::Command(command)));
@@ -118,11 +119,12 @@ impl Device {
     }
 
     /// Whether the drive leaves its state by itself.
-    fn done(&self, inputs: &Inputs, start_up: Duration) -> bool {
+    fn done(&self, inputs: &Inputs, times: &Times) -> bool {
+        let given_up = self.time >= times.stop || !inputs.power;
         let stopped =
-            |option: StopOption| option.reaction == Reaction::Coast || inputs.standstill || !inputs.power;
+            |option: StopOption| option.reaction == Reaction::Coast || inputs.standstill || given_up;
         match self.state {
-            State::NotReadyToSwitchOn => self.up >= start_up,
+            State::NotReadyToSwitchOn => self.time >= times.start_up,
             State::QuickStopActive => stopped(inputs.options.quick_stop),
             State::FaultReactionActive => stopped(inputs.options.fault),
             _ => false,
@@ -173,6 +175,7 @@ mod tests {
     use State::*;
 
     const MS: Duration = Duration::from_millis(1);
+    const TIMES: Times = Times { cycle: MS, start_up: MS, stop: Duration::from_millis(50) };
 
     fn inputs(word: u16) -> Inputs {
         let options = StopOptions {
@@ -187,7 +190,7 @@ mod tests {
 
     /// The numbers of the transitions that these words make, one word a cycle.
     fn walk(device: &mut Device, words: &[u16]) -> std::vec::Vec<Option<u8>> {
-        let step = |word| device.step(&inputs(word), MS, MS).map(Transition::number);
+        let step = |word| device.step(&inputs(word), &TIMES).map(Transition::number);
         words.iter().copied().map(step).collect()
     }
 
@@ -213,10 +216,10 @@ mod tests {
     fn a_ramp_is_waited_for_and_can_be_called_off() {
         let mut device = enabled();
         let moving = |word| Inputs { standstill: false, ..inputs(word) };
-        assert_eq!(device.step(&moving(7), MS, MS), None);
+        assert_eq!(device.step(&moving(7), &TIMES), None);
         assert_eq!(device.order(moving(7).options), Order::Stop(Reaction::SlowDownRamp));
-        assert_eq!(device.step(&moving(7), MS, MS), None);
-        assert_eq!(device.step(&moving(15), MS, MS), None);
+        assert_eq!(device.step(&moving(7), &TIMES), None);
+        assert_eq!(device.step(&moving(15), &TIMES), None);
         assert_eq!(device.order(moving(15).options), Order::Follow);
         assert_eq!(device.state(), OperationEnabled);
     }
@@ -230,7 +233,7 @@ mod tests {
         };
         let numbers = |code, words: &[(u16, bool)]| -> std::vec::Vec<Option<u8>> {
             let mut device = enabled();
-            let step = |(word, still)| device.step(&with(word, code, still), MS, MS).map(Transition::number);
+            let step = |(word, still)| device.step(&with(word, code, still), &TIMES).map(Transition::number);
             words.iter().copied().map(step).collect()
         };
         assert_eq!(numbers(0, &[(2, false), (2, false)]), [Some(11), Some(12)], "it coasts");
@@ -243,7 +246,7 @@ mod tests {
     fn a_fault_is_reset_by_an_edge_in_fault_once_its_cause_is_gone() {
         let mut device = enabled();
         let fault = |word, standstill, persists| Inputs { fault: true, standstill, persists, ..inputs(word) };
-        let mut step = |inputs: Inputs| device.step(&inputs, MS, MS).map(Transition::number);
+        let mut step = |inputs: Inputs| device.step(&inputs, &TIMES).map(Transition::number);
         assert_eq!(step(fault(15, false, true)), Some(13));
         assert_eq!(step(fault(15, false, true)), None, "it brakes");
         assert_eq!(step(fault(0x80, true, true)), Some(14));
@@ -255,10 +258,21 @@ mod tests {
     }
 
     #[test]
+    fn a_stop_that_does_not_end_is_given_up() {
+        let mut device = enabled();
+        let moving = |word| Inputs { standstill: false, ..inputs(word) };
+        assert_eq!(device.step(&moving(2), &TIMES).map(Transition::number), Some(11));
+        for _ in 0..49 {
+            assert_eq!(device.step(&moving(2), &TIMES), None);
+        }
+        assert_eq!(device.step(&moving(2), &TIMES).map(Transition::number), Some(12));
+    }
+
+    #[test]
     fn without_power_nothing_is_switched_on() {
         let mut device = Device::new();
         let off = |word| Inputs { power: false, ..inputs(word) };
-        let mut step = |inputs: Inputs| device.step(&inputs, MS, MS).map(Transition::number);
+        let mut step = |inputs: Inputs| device.step(&inputs, &TIMES).map(Transition::number);
         assert_eq!((step(off(0)), step(off(6)), step(off(7))), (Some(1), Some(2), None));
         assert_eq!((step(inputs(7)), step(inputs(15)), step(off(15))), (Some(3), Some(4), Some(9)));
         assert_eq!(device.state(), SwitchOnDisabled);

@@ -22,7 +22,7 @@ use super::plant::Plant;
 use super::process::Layout;
 use super::server::{self, NoUpload, Situation};
 use super::slots::Slots;
-use super::{assumptions, rules};
+use super::{assumptions, history, rules};
 
 /// A drive without hardware.
 ///
@@ -393,7 +393,9 @@ impl<'m, 's> VirtualDrive<'m, 's> {
     }
 
     pub(super) fn raise_alarm(&mut self, alarm: &'m AlarmDesc<'m>, cause: bool) {
-        self.alarms.raise(alarm, cause, self.esm != EsmState::Init);
+        if self.alarms.raise(alarm, cause, self.esm != EsmState::Init) {
+            history::add(&mut self.memory, alarm);
+        }
     }
 
     /// Raises the alarm that the drive has for this; nothing where it has none.

@@ -15,6 +15,7 @@ mod device;
 mod drive;
 mod events;
 mod faults;
+mod history;
 #[cfg(test)]
 mod lcg;
 mod link;

@@ -20,6 +20,9 @@ macro_rules! objects {
 static OBJECTS: &[ObjectDesc<'static>] = objects! {
     0x1000:0 UNSIGNED32 Ro Unmapped.default_int(0x0002_0192);
     0x1001:0 UNSIGNED8 Ro Tx;
+    0x1003:0 UNSIGNED8 Rw Unmapped;
+    0x1003:1 UNSIGNED32 Ro Unmapped;
+    0x1003:2 UNSIGNED32 Ro Unmapped;
     0x1008:0 VISIBLE_STRING Const Unmapped;
     0x1010:0 UNSIGNED8 Ro Unmapped.default_int(3);
     0x1010:1 UNSIGNED32 Rw Unmapped;

@@ -9,7 +9,7 @@ use super::aborts::listed;
 use super::config::Keeps;
 use super::memory::{decode, Memory, Slot};
 use super::process::Layout;
-use super::{remap, rules, store};
+use super::{history, remap, rules, store};
 
 /// What decides a transfer besides the values.
 #[derive(Clone, Copy, Debug)]
@@ -74,7 +74,8 @@ fn write(
     }
     let value = number(object, data)?;
     let written = Written { slot, address };
-    if let Some(done) = store::write(memory, address, value) {
+    let own = store::write(memory, address, value).or_else(|| history::write(memory, address, value));
+    if let Some(done) = own {
         return done.map(|()| written);
     }
     if let Some(target) = remap::target(memory, address) {

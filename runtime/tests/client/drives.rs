@@ -5,7 +5,7 @@ use core::time::Duration;
 use drivewright_runtime::cia402::{Mode, State};
 use drivewright_runtime::client::axis::AxisPolicy;
 use drivewright_runtime::client::home::Homing;
-use drivewright_runtime::client::image::{Image, ImageError, Output};
+use drivewright_runtime::client::image::{Image, ImageError, Input, Output};
 use drivewright_runtime::client::moves::MoveTo;
 use drivewright_runtime::prelude::*;
 
@@ -119,7 +119,7 @@ fn a_fault_is_told_with_its_alarm_and_is_none_when_it_is_reset() {
 }
 
 #[test]
-fn objects_of_a_second_axis_lie_800h_higher() {
+fn b37_objects_of_a_second_axis_lie_800h_higher() {
     const SECOND_RX: [MapEntry; 2] = [MapEntry::from_word(0x6840_0010), MapEntry::from_word(0x687A_0020)];
     let image = Image::for_axis(&SECOND_RX, &[], 1).unwrap();
     let output = |signal| image.output(signal);
@@ -129,11 +129,30 @@ fn objects_of_a_second_axis_lie_800h_higher() {
 }
 
 #[test]
-fn a_signal_of_another_length_is_no_image() {
+fn b35_a_signal_of_another_length_is_no_image() {
     let wide = [MapEntry::from_word(0x6041_0010), MapEntry::from_word(0x6077_0020)];
     let error = Image::new(&[], &wide).unwrap_err();
     assert_eq!(error.to_string(), "6077:00 32 bit is mapped, the signal has 16 bit");
     let bits = [MapEntry::from_word(0x6041_0010), MapEntry::from_word(0x60FD_0003)];
     assert!(matches!(Image::new(&[], &bits), Err(ImageError::NotBytes { .. })));
     assert_eq!(Image::of(&MODEL, 0x1600, 0x1A00), Err(ImageError::NoPdo { index: 0x1600 }));
+}
+
+#[test]
+fn b19_a_sub_index_is_part_of_a_signal() {
+    let other = [MapEntry::from_word(0x6041_0110), MapEntry::from_word(0x6041_0010)];
+    let image = Image::new(&[], &other).unwrap();
+    assert_eq!(image.input(Input::Statusword), Some(2));
+    let sample = image.unpack(&[0xFF, 0xFF, 0x37, 0x02]).unwrap().sample().unwrap();
+    assert_eq!(sample.statusword.0, 0x0237);
+}
+
+#[test]
+fn b12_modes_are_those_of_6502h_where_the_model_lists_none() {
+    let mut drive = drive(Fake::new(State::SwitchOnDisabled));
+    drive.cycle().unwrap();
+    // 03ADh on this drive: 7, interpolated position, is not among them.
+    let error = drive.enable(Mode::INTERPOLATED_POSITION).unwrap_err();
+    assert!(error.to_string().contains("cyclic synchronous torque (10) (000003ADh)"), "{error}");
+    drive.enable(Mode::CYCLIC_TORQUE).unwrap();
 }

@@ -14,6 +14,7 @@ pub(crate) const PATIENCE: usize = 20_000;
 
 /// What does not work, or works otherwise.
 #[derive(Clone, Copy, Default)]
+#[allow(clippy::struct_excessive_bools)] // Each is a quirk of its own.
 pub(crate) struct Quirks {
     /// The state does not change any more.
     pub(crate) stuck: bool,

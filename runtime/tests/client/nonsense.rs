@@ -104,10 +104,10 @@ fn an_operation_takes_everything() {
         let mut client = Client::new(&MODEL, chance.of(&layouts), AxisPolicy::default());
         let mut now = 0;
         for _ in 0..5 {
-            let mut held = 0;
+            let mut asked = 0;
             let mut hold = || {
-                held += 1;
-                held % 7 != 0
+                asked += 1;
+                asked % 7 != 0
             };
             let plan = Plan::EMPTY
                 .then(Step::NeedResettable)
@@ -196,7 +196,7 @@ fn process_data_of_a_wrong_length_are_a_typed_error() {
         let error = drive.enable(Mode::CYCLIC_VELOCITY).unwrap_err();
         match error {
             DriveError::Client(ClientError::Image(ImageError::Length { expected: 7, found })) => {
-                assert_eq!(found, bytes)
+                assert_eq!(found, bytes);
             }
             // Longer than there is room for: it comes as no answer.
             DriveError::Client(ClientError::Axis(_)) => assert_eq!(bytes, 300),

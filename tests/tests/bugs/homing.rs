@@ -11,7 +11,7 @@ use super::{DISABLED, ENABLED, READY, Rig, SWITCHED_ON};
 const REACHED: u16 = 0x0400;
 const ATTAINED: u16 = 0x1000;
 
-const MINUTE: Duration = Duration::from_secs(60);
+const MINUTE: Duration = Duration::from_mins(1);
 
 fn homing() -> Rig {
     let mut rig = Rig::enabled(AxisPolicy::default(), Mode::HOMING);

@@ -47,7 +47,7 @@ fn every_alarm_is_reset_if_it_can_be() {
             }
             // One with the same code can be: it is tried, and verified.
             (false, true) => {
-                assert_eq!(kind(result), AxisErrorKind::StillFaulted { code: Some(code) }, "{what}")
+                assert_eq!(kind(result), AxisErrorKind::StillFaulted { code: Some(code) }, "{what}");
             }
             (false, false) => {
                 assert_eq!(result, Err(DriveError::Client(ClientError::NotResettable { code })), "{what}");

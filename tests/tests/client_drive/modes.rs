@@ -141,9 +141,10 @@ fn a_quick_stop_by_every_option_code() {
             "{code}"
         );
         let resumed = drive.resume();
-        match stays {
-            true => resumed.unwrap(),
-            false => assert_eq!(kind(resumed), AxisErrorKind::NotQuickStopped),
+        if stays {
+            resumed.unwrap();
+        } else {
+            assert_eq!(kind(resumed), AxisErrorKind::NotQuickStopped);
         }
     }
 }

@@ -90,6 +90,12 @@ fn a_new_drive_has_no_contradiction_and_a_changed_setting_is_found() {
     });
 }
 
+// Handles unlike those of the profile: the drive itself has to refuse them.
+const FREE: Object<u32, Rw, RxTx, Raw> = Object::new(0x6081, 0);
+const LONG: Object<u64, Rw, RxTx, Raw> = Object::new(0x6081, 0);
+const LOCKED: Object<u16, Rw, RxTx, Raw> = Object::new(0x6041, 0);
+const NOWHERE: Object<u16, Rw, RxTx, Raw> = Object::new(0x6FFF, 0);
+
 #[test]
 fn reads_and_writes_end_as_the_manual_says() {
     with_drive(|link| {
@@ -99,11 +105,6 @@ fn reads_and_writes_end_as_the_manual_says() {
             modes.to_string(),
             "profile position, profile velocity, profile torque, homing, interpolated position [0000006Dh]"
         );
-        // A handle without the limits of the profile: the drive itself refuses.
-        const FREE: Object<u32, Rw, RxTx, Raw> = Object::new(0x6081, 0);
-        const LONG: Object<u64, Rw, RxTx, Raw> = Object::new(0x6081, 0);
-        const LOCKED: Object<u16, Rw, RxTx, Raw> = Object::new(0x6041, 0);
-        const NOWHERE: Object<u16, Rw, RxTx, Raw> = Object::new(0x6FFF, 0);
         let cause =
             |result: Result<(), drivewright_runtime::client::object::AccessError>| result.unwrap_err().cause;
         let high = cause(go(link, Write::new(FREE, 60_001).unwrap()));
@@ -199,9 +200,8 @@ fn a_set_that_breaks_a_rule_of_the_manual_is_not_written() {
 #[test]
 fn what_process_data_carry_is_not_written_by_sdo() {
     let receive = MODEL.pdo(at(0x1600, 0)).unwrap().entries();
-    let write = WriteContent::new(&MODEL, at(0x607A, 0), Content::Int(5));
-    assert!(write.is_ok(), "it can be written where it is not mapped");
-    let error = drivewright_runtime::client::object::is_free(at(0x607A, 0), receive).unwrap_err();
+    let write = WriteContent::new(&MODEL, at(0x607A, 0), Content::Int(5)).unwrap();
+    let error = write.beside(receive).unwrap_err();
     assert_eq!(error.cause, Cause::MappedInRxPdo);
 }
 

@@ -85,7 +85,7 @@ fn signal(signal: Signal) -> homing::Signal {
 
 fn step(step: Step) -> homing::Step {
     match step {
-        Step::Move { direction, pace, until } => homing::Step::Move {
+        Step::Move { direction, pace, until } => Step::Move {
             direction: if direction == Side::Positive {
                 homing::Side::Positive
             } else {
@@ -99,10 +99,10 @@ fn step(step: Step) -> homing::Step {
                 Event::Stall => homing::Event::Stall,
             },
         },
-        Step::Stop => homing::Step::Stop,
-        Step::Latch => homing::Step::Latch,
-        Step::Return => homing::Step::Return,
-        Step::Done => homing::Step::Done,
-        Step::NotStated => homing::Step::NotStated,
+        Step::Stop => Step::Stop,
+        Step::Latch => Step::Latch,
+        Step::Return => Step::Return,
+        Step::Done => Step::Done,
+        Step::NotStated => Step::NotStated,
     }
 }

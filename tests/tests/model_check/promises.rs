@@ -32,7 +32,9 @@ impl Asked {
             Goal::Select(mode) => self.mode = Some(mode),
             Goal::Move | Goal::Velocity => {}
             Goal::Home => self.homed = false,
-            Goal::Reach(_) | Goal::Disable | Goal::QuickStop | Goal::Reset => self.operation = false,
+            Goal::Reach(_) | Goal::Disable | Goal::QuickStop => self.operation = false,
+            // Without a fault there is nothing to reset, and an axis in operation stays there.
+            Goal::Reset => {}
         }
         self.see(drive);
     }
@@ -48,6 +50,7 @@ impl Asked {
     }
 
     pub(crate) fn see(&mut self, drive: &Drive) {
+        self.operation &= self.goal != Some(Goal::Reset) || !drive.state.is_fault();
         self.homed |= drive.homing == Homing::Runs;
     }
 }

@@ -70,6 +70,8 @@ fn a_load_that_pulls_the_axis_away_is_a_following_error() {
     rig.drive.axis_mut().set_load(500);
     rig.until(0x4F, 0x0F);
     assert_eq!(rig.read(0x603F, 0), 0x8611, "OF");
+    let time = rig.until(0x4F, 0x08);
+    assert!(time <= 5_001, "it cannot stop, and gives up: {time} ms");
 }
 
 #[test]

@@ -17,6 +17,7 @@ use std::time::Duration;
 use drivewright_runtime::AbortCode;
 use drivewright_runtime::Address;
 use drivewright_runtime::DataType;
+use drivewright_runtime::DriveModel;
 use drivewright_runtime::sim::plant::{Plant, PlantConfig};
 use drivewright_runtime::sim::{Config, NoAnswer, VirtualDrive, cells};
 use savch_sdv3_e::MODEL;
@@ -43,8 +44,12 @@ impl Rig {
     }
 
     fn with(config: Config, axis: PlantConfig) -> Self {
-        let memory = vec![0; cells(&MODEL)].leak();
-        let drive = VirtualDrive::new(&MODEL, memory, config).unwrap();
+        Self::of(&MODEL, config, axis)
+    }
+
+    fn of(model: &'static DriveModel<'static>, config: Config, axis: PlantConfig) -> Self {
+        let memory = vec![0; cells(model)].leak();
+        let drive = VirtualDrive::new(model, memory, config).unwrap();
         let mut rig = Self { drive: drive.with_axis(Plant::new(axis).unwrap()) };
         rig.drive.advance(Duration::from_millis(100));
         rig

@@ -63,11 +63,8 @@ impl Axis {
                 }
                 Ok(false)
             }
-            HomePhase::Start { before } => match self.started(before, state)? {
-                true => self.run(phase, state),
-                false => Ok(false),
-            },
-            HomePhase::Running | HomePhase::Idle => self.run(phase, state),
+            HomePhase::Start { before } if !self.started(before, state)? => Ok(false),
+            HomePhase::Start { .. } | HomePhase::Running | HomePhase::Idle => self.run(phase, state),
         }
     }
 

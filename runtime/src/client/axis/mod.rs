@@ -104,6 +104,7 @@ impl Goal {
 /// Two axes that compare equal behave alike from here on, for [`step`](Self::step) keeps no moments, only spans that come to
 /// rest: a search over all that can happen ends.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
+#[allow(clippy::struct_excessive_bools)] // Each is a fact of its own.
 pub struct Axis {
     policy: AxisPolicy,
     /// The moment of the last [`cycle`](Self::cycle); `None` for who calls [`step`](Self::step).
@@ -275,6 +276,10 @@ type Verdict = Result<bool, AxisErrorKind>;
 impl Axis {
     fn begin(&mut self, goal: Goal, within: Duration) {
         self.end_edges();
+        if self.level == Command::EnableOperation && !self.enabled && !matches!(goal, Goal::Enable(_)) {
+            // Who asks for something else has given up the way to operation.
+            self.let_go();
+        }
         self.enter(goal);
         self.within = within;
         (self.begins, self.informed) = (true, false);
@@ -351,8 +356,8 @@ impl Axis {
         match self.goal {
             Goal::Nothing => Ok(true),
             Goal::Reach(goal) => self.advance_reach(goal),
-            Goal::Disable => self.advance_disable(),
-            Goal::QuickStop => self.advance_quick_stop(),
+            Goal::Disable => Ok(self.advance_disable()),
+            Goal::QuickStop => Ok(self.quick_stop_is_done()),
             Goal::Enable(mode) => self.advance_enable(mode),
             Goal::Resume => self.advance_resume(),
             Goal::Reset(phase) => self.advance_reset(phase),

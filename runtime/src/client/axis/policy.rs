@@ -80,6 +80,7 @@ pub struct StepLimits {
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
+#[allow(clippy::struct_excessive_bools)] // Each is a quirk of its own.
 pub struct AxisPolicy {
     /// Modes that the drive has. Default: [`Modes::ANY`].
     pub modes: Modes,

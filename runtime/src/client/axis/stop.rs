@@ -68,10 +68,10 @@ impl Axis {
         Ok(self.view.state() == Some(goal) && self.level_has_arrived())
     }
 
-    pub(super) fn advance_disable(&mut self) -> Verdict {
+    pub(super) fn advance_disable(&mut self) -> bool {
         let Some(state) = self.view.state() else {
             self.set_level(Command::DisableVoltage);
-            return Ok(false);
+            return false;
         };
         if state.is_powered() && state != State::FaultReactionActive {
             self.walk_to(State::SwitchedOn);
@@ -83,15 +83,15 @@ impl Axis {
                 Command::DisableVoltage
             });
         }
-        Ok(!state.is_powered() && self.level_has_arrived())
+        !state.is_powered() && self.level_has_arrived()
     }
 
-    pub(super) fn advance_quick_stop(&mut self) -> Verdict {
-        let Some(state) = self.view.state() else { return Ok(false) };
+    pub(super) fn quick_stop_is_done(&self) -> bool {
+        let Some(state) = self.view.state() else { return false };
         let nothing_moves =
             matches!(state, State::NotReadyToSwitchOn | State::FaultReactionActive | State::Fault);
         let stops = matches!(state, State::QuickStopActive | State::SwitchOnDisabled);
-        Ok(nothing_moves || stops && self.level_has_arrived())
+        nothing_moves || stops && self.level_has_arrived()
     }
 
     pub(super) fn advance_resume(&mut self) -> Verdict {

@@ -124,6 +124,12 @@ error[MAPPED]: write of 607A:00 \"Target position\" was not sent: the entry is i
   do     : set it in the process data, or map a layout without it"
     );
     assert_eq!(is_free(at(0x607D, 2), &layout), Ok(()), "the sub-index counts");
+    let target = WriteContent::new(&MODEL, at(0x607A, 0), Content::Int(1)).unwrap();
+    assert_eq!(target.beside(&layout).map(|_| ()), Err(error));
+    assert!(Write::new(SPEED, 1).unwrap().beside(&layout).is_ok());
+    let mapped = [MapEntry::new(at(0x6081, 0), 32)];
+    assert!(Write::new(SPEED, 1).unwrap().beside(&mapped).is_err());
+    assert!(WriteBytes::text(NAME, "x").beside(&mapped).is_ok());
 }
 
 #[test]

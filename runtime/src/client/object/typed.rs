@@ -1,11 +1,13 @@
 //! Reads and writes by a typed handle.
 
-use super::{received, taken, AccessError, Action, Cause};
+use super::{is_free, received, taken, AccessError, Action, Cause};
 use crate::access::{AccessMarker, Readable, Writable};
+use crate::address::Address;
 use crate::object::Object;
+use crate::pdo::MapEntry;
 use crate::procedure::{Answer, Ask, Procedure};
 use crate::time::Instant;
-use crate::wire::{Fixed, Wire};
+use crate::wire::{Fixed, VisibleString, Wire};
 
 /// Reads an entry.
 #[derive(Clone, Copy, Debug)]
@@ -52,7 +54,7 @@ impl<T: Fixed, A: Readable, M, Q> Procedure for Read<T, A, M, Q> {
 /// ```
 #[derive(Debug)]
 pub struct ReadBytes<'b> {
-    address: crate::address::Address,
+    address: Address,
     into: &'b mut [u8],
 }
 
@@ -103,6 +105,15 @@ impl<T: Fixed, A: Writable, M, Q> Write<T, A, M, Q> {
         object.check(value).map_err(refused)?;
         Ok(Self { object, number, bytes: value.to_bytes() })
     }
+
+    /// On a drive that receives this layout as process data now.
+    ///
+    /// # Errors
+    /// [`Cause::MappedInRxPdo`] where the layout carries the entry: see [`is_free`].
+    pub fn beside(self, layout: &[MapEntry]) -> Result<Self, AccessError> {
+        is_free(self.object.address(), layout)?;
+        Ok(self)
+    }
 }
 
 impl<T: Fixed, A: AccessMarker, M, Q> Procedure for Write<T, A, M, Q> {
@@ -119,7 +130,7 @@ impl<T: Fixed, A: AccessMarker, M, Q> Procedure for Write<T, A, M, Q> {
 /// Writes an entry whose length varies.
 #[derive(Clone, Copy, Debug)]
 pub struct WriteBytes<'b> {
-    address: crate::address::Address,
+    address: Address,
     bytes: &'b [u8],
 }
 
@@ -134,11 +145,17 @@ impl<'b> WriteBytes<'b> {
     }
 
     /// The write of this text to `object`, without a terminator.
-    pub fn text<A: Writable, M, Q>(
-        object: Object<crate::wire::VisibleString, A, M, Q>,
-        text: &'b str,
-    ) -> Self {
+    pub fn text<A: Writable, M, Q>(object: Object<VisibleString, A, M, Q>, text: &'b str) -> Self {
         Self { address: object.address(), bytes: text.as_bytes() }
+    }
+
+    /// On a drive that receives this layout as process data now.
+    ///
+    /// # Errors
+    /// [`Cause::MappedInRxPdo`] where the layout carries the entry: see [`is_free`].
+    pub fn beside(self, layout: &[MapEntry]) -> Result<Self, AccessError> {
+        is_free(self.address, layout)?;
+        Ok(self)
     }
 }
 

@@ -1,8 +1,9 @@
 //! Reads and writes by address, with what the model says about the entry.
 
-use super::{received, taken, AccessError, Action, Cause, Content};
+use super::{is_free, received, taken, AccessError, Action, Cause, Content};
 use crate::address::Address;
 use crate::model::{DriveModel, ObjectDesc};
+use crate::pdo::MapEntry;
 use crate::procedure::{Answer, Ask, Procedure};
 use crate::time::Instant;
 
@@ -85,6 +86,15 @@ impl<'b> WriteContent<'b> {
             Content::Bytes(_) => 0,
         };
         Ok(Self { address, content, number, used })
+    }
+
+    /// On a drive that receives this layout as process data now.
+    ///
+    /// # Errors
+    /// [`Cause::MappedInRxPdo`] where the layout carries the entry: see [`is_free`].
+    pub fn beside(self, layout: &[MapEntry]) -> Result<Self, AccessError> {
+        is_free(self.address, layout)?;
+        Ok(self)
     }
 
     /// What goes over the wire.

@@ -2,6 +2,7 @@
 
 use super::operation::{received, written, wrong_length, Operation, Stage, Want};
 use super::Step;
+use crate::cia402::{State, Statusword};
 use crate::client::axis::{AxisError, AxisErrorKind, Progress};
 use crate::client::error::ClientError;
 use crate::client::image::{Input, Output};
@@ -49,7 +50,7 @@ impl Operation<'_, '_> {
         match input {
             Input::Statusword | Input::Mode | Input::Position => true,
             Input::ErrorCode => {
-                self.reading.statusword().and_then(|w| w.state()).is_some_and(|state| state.is_fault())
+                self.reading.statusword().and_then(Statusword::state).is_some_and(State::is_fault)
             }
             Input::Velocity | Input::Torque => false,
         }

@@ -3,7 +3,7 @@
 
 use super::operation::{received, wrong_length, Operation, Stage};
 use crate::address::Address;
-use crate::cia402::StopOption;
+use crate::cia402::{State, StopOption};
 use crate::client::axis::Modes;
 use crate::client::error::ClientError;
 use crate::client::image::Input;
@@ -86,7 +86,7 @@ impl Operation<'_, '_> {
         let lasting = |reset| matches!(reset, Reset::NotResettable | Reset::PowerCycle);
         let mut alarms = self.client.model.alarms_by_code(code).peekable();
         let state = self.client.axis.sample().and_then(|sample| sample.statusword.state());
-        let faulted = state.is_some_and(|state| state.is_fault());
+        let faulted = state.is_some_and(State::is_fault);
         if faulted && alarms.peek().is_some() && alarms.all(|alarm| lasting(alarm.reset())) {
             return Err(ClientError::NotResettable { code });
         }

@@ -141,7 +141,6 @@ impl<'c, 'm> Operation<'c, 'm> {
     fn seek(&mut self, now: Instant) -> Result<Want, ClientError> {
         loop {
             match self.stage {
-                Stage::Begin => return Ok(Want::Done(Ok(()))),
                 Stage::Prime(n) => match FACTS.get(n) {
                     Some(fact) if self.is_wanted(*fact) => return Ok(Want::Upload(self.place_of(*fact))),
                     Some(_) => self.stage = Stage::Prime(n.saturating_add(1)),
@@ -162,8 +161,8 @@ impl<'c, 'm> Operation<'c, 'm> {
                         return Ok(want);
                     }
                 }
-                // What was asked for comes with the next answer.
-                Stage::Write(..) | Stage::Read(_) => return Ok(Want::Done(Ok(()))),
+                // Never so: what begins has begun, and what is under way is taken before anything is sought.
+                Stage::Begin | Stage::Write(..) | Stage::Read(_) => return Ok(Want::Done(Ok(()))),
                 Stage::Send(n) => match Output::ALL.get(n) {
                     Some(output) if self.must_send(*output) => return Ok(self.send(*output)),
                     Some(_) => self.stage = Stage::Send(n.saturating_add(1)),

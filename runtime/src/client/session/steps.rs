@@ -25,7 +25,9 @@ impl Operation<'_, '_> {
             Step::TargetVelocity(velocity) => self.client.axis.target_velocity(velocity)?,
             Step::TargetTorque(torque) => self.client.axis.target_torque(torque)?,
             Step::RestoreMode => {
-                self.mode.map_or(Ok(()), |mode| self.begin_goal(Request::SelectMode(mode)))?
+                if let Some(mode) = self.mode {
+                    self.begin_goal(Request::SelectMode(mode))?;
+                }
             }
             Step::Look | Step::Cycle | Step::Hold(_) => {
                 self.since = Some(now);

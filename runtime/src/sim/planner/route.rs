@@ -84,11 +84,12 @@ fn ramp(from: i64, to: i64, limits: Limits) -> i64 {
     ramp_ticks((to - from).abs(), rate)
 }
 
-/// Whether the axis can halt within a length. A rounding more than the length will do: else an axis that brakes for its
-/// target could not be sent to it again.
+/// Whether the axis can halt within a length. The speed may be rounded up, and a ramp too: without room for that, an axis
+/// that brakes for its target could not be sent to it again.
 fn can_stop(speed: i64, length: i128, deceleration: i64) -> bool {
-    let braking = i128::from(speed) * i128::from(ramp_ticks(speed, deceleration));
-    braking <= length + (length >> 10) + 4 * i128::from(speed)
+    let at_least = (speed - 2).max(0);
+    let braking = i128::from(at_least) * i128::from(ramp_ticks(at_least, deceleration));
+    braking <= length + 4 * i128::from(speed)
 }
 
 /// Ramp, cruise at two speeds that differ by the smallest step, and ramp to a halt, of this length in all.

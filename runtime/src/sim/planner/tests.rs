@@ -188,18 +188,42 @@ fn a_change_of_target_on_the_way_is_steady_and_arrives() {
 fn a_target_told_in_each_step_is_reached_without_going_beyond() {
     let mut random = Lcg::new(3);
     for _ in 0..200 {
-        let (mut planner, target) = (Planner::at(0), random.between(1, 1_000_000));
-        let (velocity, a) = (random.between(10_000, 10_000_000), random.between(100_000, 10_000_000));
-        let mut steps = 0;
-        while !planner.done() || steps == 0 {
-            // Another limit each time, so that the way is found anew.
-            planner.move_to(target, limits(velocity + steps % 2, a, a));
-            assert!(planner.step(MS).position <= target);
-            steps += 1;
-            assert!(steps < 100_000, "never there: {target} {velocity} {a} {:?}", planner.point());
-        }
-        assert_eq!(planner.point().position, target);
+        let target = random.between(1, 1_000_000_000);
+        let (velocity, a) =
+            (random.between(target / 20 + 1_000, 1_000_000_000), random.between(10_000_000, 10_000_000_000));
+        told_in_each_step(target, velocity, a);
     }
+    for _ in 0..40 {
+        let (target, a) = (random.between(1, 1_000), random.between(1, 1_000));
+        told_in_each_step(target, 1_000, a);
+    }
+}
+
+fn told_in_each_step(target: i64, velocity: i64, a: i64) {
+    let (mut planner, mut steps) = (Planner::at(0), 0);
+    while !planner.done() || steps == 0 {
+        // Another limit each time, so that the way is found anew.
+        planner.move_to(target, limits(velocity + steps % 2, a, a));
+        assert!(planner.step(MS).velocity >= 0);
+        assert!(planner.place <= Place::at(target), "not by a part of a unit");
+        steps += 1;
+        assert!(steps < 100_000, "never there: {target} {velocity} {a} {:?}", planner.point());
+    }
+    assert_eq!(planner.point().position, target);
+}
+
+#[test]
+fn a_long_way_is_covered_evenly() {
+    let mut planner = Planner::at(0);
+    // 4.7 hours at a speed that does not divide the way.
+    planner.move_to(1 << 24, limits(997, 1_000_000, 1_000_000));
+    let mut before = 0;
+    while !planner.done() {
+        let position = planner.step(MS * 1_000).position;
+        assert!(position - before <= 998, "{} at {position}", position - before);
+        before = position;
+    }
+    assert_eq!(before, 1 << 24);
 }
 
 #[test]

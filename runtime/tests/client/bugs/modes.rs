@@ -48,7 +48,7 @@ fn b10_a_mode_of_the_maker_is_a_mode() {
 
 #[test]
 fn b11_halt_is_never_set_by_the_way_and_can_be_released_for_a_mode() {
-    let (axis, fake) = enabled(Mode::PROFILE_VELOCITY, AxisPolicy::default(), off());
+    let (_, fake) = enabled(Mode::PROFILE_VELOCITY, AxisPolicy::default(), off());
     assert!(fake.heard.iter().all(|outputs| !outputs.controlword.halt()));
     let halted = |policy: AxisPolicy| {
         let (mut axis, mut fake) = enabled(Mode::PROFILE_VELOCITY, policy, off());
@@ -58,7 +58,6 @@ fn b11_halt_is_never_set_by_the_way_and_can_be_released_for_a_mode() {
         axis.select_mode(Mode::HOMING);
         (run(&mut axis, &mut fake), fake.heard.last().unwrap().controlword.halt())
     };
-    drop(axis);
     let (progress, halt) = halted(AxisPolicy::default());
     let Progress::Failed(error) = progress else { panic!("{progress:?}") };
     assert!(matches!(error.kind, AxisErrorKind::ModeNotTaken { halted: true, .. }));

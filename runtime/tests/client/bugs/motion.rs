@@ -213,7 +213,10 @@ fn b38_there_is_one_formula_for_a_unit_both_ways() {
     let velocity = Address::new(0x60FF, 0);
     assert_eq!(client.count(velocity, Value::rpm(-3).into()), Ok(-30));
     let wrong = client.count(velocity, Value::degrees(1).into()).unwrap_err();
-    assert_eq!(wrong.to_string(), "60FF:00 measures velocity, not angle");
+    assert_eq!(
+        wrong.to_string(),
+        "error[UNIT]: 60FF:00 measures velocity, not angle\n  do     : give the value in this unit, or as a raw count"
+    );
     assert!(matches!(client.count(velocity, Value::rpm(6_001).into()), Err(ClientError::Range(_))));
     let bare = Client::new(&MODEL, image, AxisPolicy::default());
     assert_eq!(bare.count(target, Value::degrees(1).into()), Err(ClientError::NoScale));

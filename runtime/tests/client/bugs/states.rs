@@ -289,6 +289,29 @@ fn b41_the_axis_is_the_only_writer_of_the_controlword() {
 }
 
 #[test]
+fn the_way_to_operation_ends_with_another_goal() {
+    let goals = [
+        Request::ResetFault,
+        Request::SelectMode(Mode::CYCLIC_VELOCITY),
+        Request::Home(Duration::from_secs(1)),
+        Request::Velocity(5, Duration::from_secs(1)),
+    ];
+    for request in goals {
+        let (mut axis, mut fake) = (Axis::new(AxisPolicy::default()), Fake::new(State::SwitchedOn));
+        fake.mode = Mode::CYCLIC_VELOCITY;
+        axis.enable(Mode::CYCLIC_VELOCITY);
+        axis.step(CYCLE, Some(fake.sample()));
+        assert!(axis.outputs().controlword.enable_operation());
+        axis.start(request);
+        for _ in 0..100 {
+            let sample = fake.cycle(axis.outputs());
+            axis.step(CYCLE, sample);
+        }
+        assert!(!fake.state.is_powered(), "{request:?}");
+    }
+}
+
+#[test]
 fn dropping_out_ends_every_goal_and_enables_nothing() {
     let goals = [
         (

@@ -4,15 +4,16 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// 1st gain, `2000:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const N1ST_GAIN: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const N1ST_GAIN: Object<u16, Rw, MapNotStated, Raw> = object(0x2000, 0x00);
 
 /// 2nd gain, `2001:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const N2ND_GAIN: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00);
+pub const N2ND_GAIN: Object<u16, Rw, MapNotStated, Raw> = object(0x2001, 0x00);

@@ -4,28 +4,29 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Read only, `2000:00`: UNSIGNED16, ro, mapping not stated.
 ///
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const READ_ONLY: Object<u16, Ro, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const READ_ONLY: Object<u16, Ro, MapNotStated, Raw> = object(0x2000, 0x00);
 
 /// Read and write, `2001:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const READ_AND_WRITE: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00);
+pub const READ_AND_WRITE: Object<u16, Rw, MapNotStated, Raw> = object(0x2001, 0x00);
 
 /// Write only, `2002:00`: UNSIGNED16, wo, mapping not stated.
 ///
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
-pub const WRITE_ONLY: Object<u16, Wo, MapNotStated, Raw> = Object::new(0x2002, 0x00);
+pub const WRITE_ONLY: Object<u16, Wo, MapNotStated, Raw> = object(0x2002, 0x00);
 
 /// Constant, `2003:00`: UNSIGNED16, const, mapping not stated.
 ///
 /// Default 7.
 /// Manual: 2 L4.
 #[doc(alias = "2003")]
-pub const CONSTANT: Object<u16, Const, MapNotStated, Raw> = Object::new(0x2003, 0x00);
+pub const CONSTANT: Object<u16, Const, MapNotStated, Raw> = object(0x2003, 0x00);

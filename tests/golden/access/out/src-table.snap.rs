@@ -5,16 +5,17 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 4] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED16, Access::Ro, Mapping::NotStated, "Read only"),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Read and write"),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::UNSIGNED16, Access::Wo, Mapping::NotStated, "Write only"),
-    ObjectDesc::new(Address::new(0x2003, 0x00), DataType::UNSIGNED16, Access::Const, Mapping::NotStated, "Constant").default_int(7),
+    entry(0x2000, 0x00, UNSIGNED16, RO, NOT_STATED, "Read only", NO_UNIT),
+    entry(0x2001, 0x00, UNSIGNED16, RW, NOT_STATED, "Read and write", NO_UNIT),
+    entry(0x2002, 0x00, UNSIGNED16, WO, NOT_STATED, "Write only", NO_UNIT),
+    preset(0x2003, 0x00, UNSIGNED16, CONST, NOT_STATED, "Constant", NO_UNIT, 7),
 ];
 
 /// Entries that take listed values only, by address.

@@ -5,13 +5,14 @@
 
 use super::enums;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Stop option, `2000:00`: INTEGER16, rw, RxPDO.
 ///
 /// Only 0 (Coast), 2 (Quick ramp).
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const STOP_OPTION: Object<enums::Stop, Rw, Rx, Raw> = Object::new(0x2000, 0x00).allow(&[0, 2]);
+pub const STOP_OPTION: Object<enums::Stop, Rw, Rx, Raw> = object(0x2000, 0x00).allow(&[0, 2]);
 
 /// Halt option, `2001:00`: INTEGER16, rw, mapping not stated.
 ///
@@ -19,13 +20,13 @@ pub const STOP_OPTION: Object<enums::Stop, Rw, Rx, Raw> = Object::new(0x2000, 0x
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
 pub const HALT_OPTION: Object<enums::Stop, Rw, MapNotStated, Raw> =
-    Object::new(0x2001, 0x00).allow(&[0]);
+    object(0x2001, 0x00).allow(&[0]);
 
 /// Stop reason, `2002:00`: INTEGER16, ro, mapping not stated.
 ///
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
-pub const STOP_REASON: Object<enums::Stop, Ro, MapNotStated, Raw> = Object::new(0x2002, 0x00);
+pub const STOP_REASON: Object<enums::Stop, Ro, MapNotStated, Raw> = object(0x2002, 0x00);
 
 /// Wide, `2003:00`: UNSIGNED64, rw, mapping not stated.
 ///
@@ -33,4 +34,4 @@ pub const STOP_REASON: Object<enums::Stop, Ro, MapNotStated, Raw> = Object::new(
 /// Manual: 2 L4.
 #[doc(alias = "2003")]
 pub const WIDE: Object<u64, Rw, MapNotStated, Raw> =
-    Object::new(0x2003, 0x00).allow(&[1, 2, 9_223_372_036_854_775_807]);
+    object(0x2003, 0x00).allow(&[1, 2, 9_223_372_036_854_775_807]);

@@ -5,16 +5,17 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 4] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::INTEGER16, Access::Rw, Mapping::Rx, "Stop option").values(0),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::INTEGER16, Access::Rw, Mapping::NotStated, "Halt option").values(0),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::INTEGER16, Access::Ro, Mapping::NotStated, "Stop reason").values(0),
-    ObjectDesc::new(Address::new(0x2003, 0x00), DataType::UNSIGNED64, Access::Rw, Mapping::NotStated, "Wide"),
+    entry(0x2000, 0x00, INTEGER16, RW, RX, "Stop option", NO_UNIT).values(0),
+    entry(0x2001, 0x00, INTEGER16, RW, NOT_STATED, "Halt option", NO_UNIT).values(0),
+    entry(0x2002, 0x00, INTEGER16, RO, NOT_STATED, "Stop reason", NO_UNIT).values(0),
+    entry(0x2003, 0x00, UNSIGNED64, RW, NOT_STATED, "Wide", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

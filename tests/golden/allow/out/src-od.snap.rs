@@ -4,14 +4,14 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Baud rate, `2000:00`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Only 0, 1, 5; default 5.
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const BAUD_RATE: Object<u8, Rw, MapNotStated, Raw> =
-    Object::new(0x2000, 0x00).allow(&[0, 1, 5]);
+pub const BAUD_RATE: Object<u8, Rw, MapNotStated, Raw> = object(0x2000, 0x00).allow(&[0, 1, 5]);
 
 /// Direction, `2001:00`: INTEGER8, rw, mapping not stated.
 ///
@@ -19,4 +19,4 @@ pub const BAUD_RATE: Object<u8, Rw, MapNotStated, Raw> =
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
 pub const DIRECTION: Object<i8, Rw, MapNotStated, Raw> =
-    Object::new(0x2001, 0x00).range(-1, 1).allow(&[1, -1]);
+    ranged(0x2001, 0x00, -1, 1).allow(&[1, -1]);

@@ -5,14 +5,15 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 2] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "Baud rate").default_int(5),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::INTEGER8, Access::Rw, Mapping::NotStated, "Direction").range(-1, 1).default_int(-1),
+    preset(0x2000, 0x00, UNSIGNED8, RW, NOT_STATED, "Baud rate", NO_UNIT, 5),
+    full(0x2001, 0x00, INTEGER8, RW, NOT_STATED, "Direction", NO_UNIT, -1, 1, -1),
 ];
 
 /// Entries that take listed values only, by address.

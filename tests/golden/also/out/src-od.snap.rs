@@ -4,18 +4,19 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Speed, `2000:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 6 L1.
 #[doc(alias = "2000")]
-pub const SPEED: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const SPEED: Object<u16, Rw, MapNotStated, Raw> = object(0x2000, 0x00);
 
 /// Torque, `2001:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 6 L2.
 #[doc(alias = "2001")]
-pub const TORQUE: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00);
+pub const TORQUE: Object<u16, Rw, MapNotStated, Raw> = object(0x2001, 0x00);
 
 // 3000h Gains
 
@@ -25,13 +26,13 @@ pub const TORQUE: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00)
 /// Default 2.
 /// Manual: 6 L3.
 #[doc(alias = "3000")]
-pub const HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x3000, 0x00);
+pub const HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = object(0x3000, 0x00);
 
 /// Gain, `3000:01`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 6 L3.
 #[doc(alias = "3000")]
-pub const GAIN_1: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x3000, 0x01);
+pub const GAIN_1: Object<u16, Rw, MapNotStated, Raw> = object(0x3000, 0x01);
 
 /// Gain, `3000:02`: UNSIGNED16, rw, mapping not stated.
 ///
@@ -39,4 +40,4 @@ pub const GAIN_1: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x3000, 0x01)
 /// Manual: 6 L3.
 /// Manual, the default: 6 L4.
 #[doc(alias = "3000")]
-pub const GAIN_2: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x3000, 0x02);
+pub const GAIN_2: Object<u16, Rw, MapNotStated, Raw> = object(0x3000, 0x02);

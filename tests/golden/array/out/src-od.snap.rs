@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 // 2010h Gains
 
@@ -13,28 +14,25 @@ use drivewright_runtime::prelude::*;
 /// Default 3.
 /// Manual: 2 L2.
 #[doc(alias = "2010")]
-pub const NUMBER_OF_GAINS: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x2010, 0x00);
+pub const NUMBER_OF_GAINS: Object<u8, Ro, MapNotStated, Raw> = object(0x2010, 0x00);
 
 /// Position gain, `2010:01`: UNSIGNED16, rw, mapping not stated.
 ///
 /// At most 1000; default 40.
 /// Manual: 2 L3.
 #[doc(alias = "2010")]
-pub const POSITION_GAIN: Object<u16, Rw, MapNotStated, Raw> =
-    Object::new(0x2010, 0x01).at_most(1000);
+pub const POSITION_GAIN: Object<u16, Rw, MapNotStated, Raw> = object(0x2010, 0x01).at_most(1000);
 
 /// Velocity gain, `2010:02`: UNSIGNED16, rw, mapping not stated.
 ///
 /// At most 1000; default 50.
 /// Manual: 2 L4.
 #[doc(alias = "2010")]
-pub const VELOCITY_GAIN: Object<u16, Rw, MapNotStated, Raw> =
-    Object::new(0x2010, 0x02).at_most(1000);
+pub const VELOCITY_GAIN: Object<u16, Rw, MapNotStated, Raw> = object(0x2010, 0x02).at_most(1000);
 
 /// Current gain, `2010:03`: UNSIGNED16, rw, mapping not stated.
 ///
 /// At most 1000; default 60.
 /// Manual: 2 L5.
 #[doc(alias = "2010")]
-pub const CURRENT_GAIN: Object<u16, Rw, MapNotStated, Raw> =
-    Object::new(0x2010, 0x03).at_most(1000);
+pub const CURRENT_GAIN: Object<u16, Rw, MapNotStated, Raw> = object(0x2010, 0x03).at_most(1000);

@@ -5,16 +5,17 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 4] = [
-    ObjectDesc::new(Address::new(0x2010, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Number of gains").default_int(3),
-    ObjectDesc::new(Address::new(0x2010, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Position gain").at_most(1000).default_int(40),
-    ObjectDesc::new(Address::new(0x2010, 0x02), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Velocity gain").at_most(1000).default_int(50),
-    ObjectDesc::new(Address::new(0x2010, 0x03), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Current gain").at_most(1000).default_int(60),
+    preset(0x2010, 0x00, UNSIGNED8, RO, NOT_STATED, "Number of gains", NO_UNIT, 3),
+    preset(0x2010, 0x01, UNSIGNED16, RW, NOT_STATED, "Position gain", NO_UNIT, 40).at_most(1000),
+    preset(0x2010, 0x02, UNSIGNED16, RW, NOT_STATED, "Velocity gain", NO_UNIT, 50).at_most(1000),
+    preset(0x2010, 0x03, UNSIGNED16, RW, NOT_STATED, "Current gain", NO_UNIT, 60).at_most(1000),
 ];
 
 /// Entries that take listed values only, by address.

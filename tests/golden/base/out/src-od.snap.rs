@@ -5,6 +5,7 @@
 
 use super::bits;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Device type, `1000:00`: UNSIGNED32, ro, mapping not stated.
 ///
@@ -15,7 +16,7 @@ use drivewright_runtime::prelude::*;
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1000")]
-pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1000, 0x00);
+pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = object(0x1000, 0x00);
 
 // 1018h Identity object
 
@@ -28,7 +29,7 @@ pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1000, 
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1018")]
-pub const IDENTITY_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x00);
+pub const IDENTITY_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = object(0x1018, 0x00);
 
 /// Vendor-ID, `1018:01`: UNSIGNED32, ro, mapping not stated.
 ///
@@ -39,7 +40,7 @@ pub const IDENTITY_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1018")]
-pub const VENDOR_ID: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x01);
+pub const VENDOR_ID: Object<u32, Ro, MapNotStated, Raw> = object(0x1018, 0x01);
 
 /// Controlword, `6040:00`: UNSIGNED16, rw, RxPDO.
 ///
@@ -49,7 +50,7 @@ pub const VENDOR_ID: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x
 /// The access is standard: cia402.
 /// The mapping is standard: cia402.
 #[doc(alias = "6040")]
-pub const CONTROLWORD: Object<bits::Controlword, Rw, Rx, Raw> = Object::new(0x6040, 0x00);
+pub const CONTROLWORD: Object<bits::Controlword, Rw, Rx, Raw> = object(0x6040, 0x00);
 
 /// Position window, `6067:00`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -59,11 +60,11 @@ pub const CONTROLWORD: Object<bits::Controlword, Rw, Rx, Raw> = Object::new(0x60
 /// The type is standard: cia402.
 /// The access is standard: cia402.
 #[doc(alias = "6067")]
-pub const POSITION_WINDOW: Object<u32, Rw, MapNotStated, UserPosition> = Object::new(0x6067, 0x00);
+pub const POSITION_WINDOW: Object<u32, Rw, MapNotStated, UserPosition> = object(0x6067, 0x00);
 
 /// Actual speed, `606C:00`: INTEGER32, ro, TxPDO.
 ///
 /// Manual: 2 L12.
 /// The mapping is standard: cia402.
 #[doc(alias = "606C")]
-pub const ACTUAL_SPEED: Object<i32, Ro, Tx, Raw> = Object::new(0x606C, 0x00);
+pub const ACTUAL_SPEED: Object<i32, Ro, Tx, Raw> = object(0x606C, 0x00);

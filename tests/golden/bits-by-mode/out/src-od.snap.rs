@@ -5,9 +5,10 @@
 
 use super::bits;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Control, `2000:00`: UNSIGNED16, rw, RxPDO.
 ///
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const CONTROL: Object<bits::Control, Rw, Rx, Raw> = Object::new(0x2000, 0x00);
+pub const CONTROL: Object<bits::Control, Rw, Rx, Raw> = object(0x2000, 0x00);

@@ -5,9 +5,10 @@
 
 use super::bits;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Inputs, `2000:00`: UNSIGNED32, ro, TxPDO.
 ///
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const INPUTS: Object<bits::Inputs, Ro, Tx, Raw> = Object::new(0x2000, 0x00);
+pub const INPUTS: Object<bits::Inputs, Ro, Tx, Raw> = object(0x2000, 0x00);

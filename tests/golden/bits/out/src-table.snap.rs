@@ -5,13 +5,14 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 1] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::Tx, "Inputs").bits(0),
+    entry(0x2000, 0x00, UNSIGNED32, RO, TX, "Inputs", NO_UNIT).bits(0),
 ];
 
 /// Entries that take listed values only, by address.

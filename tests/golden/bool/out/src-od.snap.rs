@@ -4,17 +4,18 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Enabled, `2000:00`: BOOLEAN, rw, RxPDO.
 ///
 /// Default 1.
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const ENABLED: Object<bool, Rw, Rx, Raw> = Object::new(0x2000, 0x00);
+pub const ENABLED: Object<bool, Rw, Rx, Raw> = object(0x2000, 0x00);
 
 /// Homed, `2001:00`: BOOLEAN, ro, TxPDO.
 ///
 /// 0 to 1; default 0.
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const HOMED: Object<bool, Ro, Tx, Raw> = Object::new(0x2001, 0x00).range(0, 1);
+pub const HOMED: Object<bool, Ro, Tx, Raw> = ranged(0x2001, 0x00, 0, 1);

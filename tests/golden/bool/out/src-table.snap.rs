@@ -5,14 +5,15 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 2] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::BOOLEAN, Access::Rw, Mapping::Rx, "Enabled").default_int(1),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::BOOLEAN, Access::Ro, Mapping::Tx, "Homed").range(0, 1).default_int(0),
+    preset(0x2000, 0x00, BOOLEAN, RW, RX, "Enabled", NO_UNIT, 1),
+    full(0x2001, 0x00, BOOLEAN, RO, TX, "Homed", NO_UNIT, 0, 1, 0),
 ];
 
 /// Entries that take listed values only, by address.

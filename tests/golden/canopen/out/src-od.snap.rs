@@ -5,6 +5,7 @@
 
 use super::{bits, enums};
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Device type, `1000:00`: UNSIGNED32, ro, mapping not stated.
 ///
@@ -15,7 +16,7 @@ use drivewright_runtime::prelude::*;
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1000")]
-pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1000, 0x00);
+pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = object(0x1000, 0x00);
 
 /// Error register, `1001:00`: UNSIGNED8, ro, mapping not stated.
 ///
@@ -26,8 +27,7 @@ pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1000, 
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1001")]
-pub const ERROR_REGISTER: Object<bits::ErrorRegister, Ro, MapNotStated, Raw> =
-    Object::new(0x1001, 0x00);
+pub const ERROR_REGISTER: Object<bits::ErrorRegister, Ro, MapNotStated, Raw> = object(0x1001, 0x00);
 
 // 1010h Store parameters
 
@@ -41,7 +41,7 @@ pub const ERROR_REGISTER: Object<bits::ErrorRegister, Ro, MapNotStated, Raw> =
 /// The access is standard: cia301.
 #[doc(alias = "1010")]
 pub const STORE_PARAMETERS_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> =
-    Object::new(0x1010, 0x00);
+    object(0x1010, 0x00);
 
 /// Save all parameters, `1010:01`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -50,7 +50,7 @@ pub const STORE_PARAMETERS_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> 
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1010")]
-pub const SAVE_ALL_PARAMETERS: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1010, 0x01);
+pub const SAVE_ALL_PARAMETERS: Object<u32, Rw, MapNotStated, Raw> = object(0x1010, 0x01);
 
 /// COB-ID EMCY, `1014:00`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -60,7 +60,7 @@ pub const SAVE_ALL_PARAMETERS: Object<u32, Rw, MapNotStated, Raw> = Object::new(
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1014")]
-pub const COB_ID_EMCY: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1014, 0x00);
+pub const COB_ID_EMCY: Object<u32, Rw, MapNotStated, Raw> = object(0x1014, 0x00);
 
 /// Producer heartbeat time, `1017:00`: UNSIGNED16, rw, mapping not stated.
 ///
@@ -73,7 +73,7 @@ pub const COB_ID_EMCY: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1014, 
 /// The unit is standard: cia301.
 #[doc(alias = "1017")]
 pub const PRODUCER_HEARTBEAT_TIME: Object<u16, Rw, MapNotStated, Time> =
-    Object::new(0x1017, 0x00).scale(1, 1000);
+    scaled(0x1017, 0x00, 1, 1000);
 
 // 1018h Identity object
 
@@ -86,7 +86,7 @@ pub const PRODUCER_HEARTBEAT_TIME: Object<u16, Rw, MapNotStated, Time> =
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1018")]
-pub const IDENTITY_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x00);
+pub const IDENTITY_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = object(0x1018, 0x00);
 
 /// Vendor-ID, `1018:01`: UNSIGNED32, ro, mapping not stated.
 ///
@@ -97,7 +97,7 @@ pub const IDENTITY_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1018")]
-pub const VENDOR_ID: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x01);
+pub const VENDOR_ID: Object<u32, Ro, MapNotStated, Raw> = object(0x1018, 0x01);
 
 /// Product code, `1018:02`: UNSIGNED32, ro, mapping not stated.
 ///
@@ -107,7 +107,7 @@ pub const VENDOR_ID: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1018")]
-pub const PRODUCT_CODE: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x02);
+pub const PRODUCT_CODE: Object<u32, Ro, MapNotStated, Raw> = object(0x1018, 0x02);
 
 /// Revision number, `1018:03`: UNSIGNED32, ro, mapping not stated.
 ///
@@ -117,7 +117,7 @@ pub const PRODUCT_CODE: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018,
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1018")]
-pub const REVISION_NUMBER: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x03);
+pub const REVISION_NUMBER: Object<u32, Ro, MapNotStated, Raw> = object(0x1018, 0x03);
 
 // 1400h RxPDO1 parameter
 
@@ -131,7 +131,7 @@ pub const REVISION_NUMBER: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x10
 /// The access is standard: cia301.
 #[doc(alias = "1400")]
 pub const RXPDO1_PARAMETER_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> =
-    Object::new(0x1400, 0x00);
+    object(0x1400, 0x00);
 
 /// COB-ID used by RxPDO1, `1400:01`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -141,7 +141,7 @@ pub const RXPDO1_PARAMETER_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> 
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1400")]
-pub const COB_ID_USED_BY_RXPDO1: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1400, 0x01);
+pub const COB_ID_USED_BY_RXPDO1: Object<u32, Rw, MapNotStated, Raw> = object(0x1400, 0x01);
 
 /// RxPDO1 transmission type, `1400:02`: UNSIGNED8, rw, mapping not stated.
 ///
@@ -151,7 +151,7 @@ pub const COB_ID_USED_BY_RXPDO1: Object<u32, Rw, MapNotStated, Raw> = Object::ne
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1400")]
-pub const RXPDO1_TRANSMISSION_TYPE: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x1400, 0x02);
+pub const RXPDO1_TRANSMISSION_TYPE: Object<u8, Rw, MapNotStated, Raw> = object(0x1400, 0x02);
 
 // 1401h RxPDO2 parameter
 
@@ -165,7 +165,7 @@ pub const RXPDO1_TRANSMISSION_TYPE: Object<u8, Rw, MapNotStated, Raw> = Object::
 /// The access is standard: cia301.
 #[doc(alias = "1401")]
 pub const RXPDO2_PARAMETER_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> =
-    Object::new(0x1401, 0x00);
+    object(0x1401, 0x00);
 
 /// COB-ID used by RxPDO2, `1401:01`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -175,7 +175,7 @@ pub const RXPDO2_PARAMETER_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> 
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1401")]
-pub const COB_ID_USED_BY_RXPDO2: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1401, 0x01);
+pub const COB_ID_USED_BY_RXPDO2: Object<u32, Rw, MapNotStated, Raw> = object(0x1401, 0x01);
 
 /// RxPDO2 transmission type, `1401:02`: UNSIGNED8, rw, mapping not stated.
 ///
@@ -185,7 +185,7 @@ pub const COB_ID_USED_BY_RXPDO2: Object<u32, Rw, MapNotStated, Raw> = Object::ne
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1401")]
-pub const RXPDO2_TRANSMISSION_TYPE: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x1401, 0x02);
+pub const RXPDO2_TRANSMISSION_TYPE: Object<u8, Rw, MapNotStated, Raw> = object(0x1401, 0x02);
 
 // 1402h RxPDO3 parameter
 
@@ -199,7 +199,7 @@ pub const RXPDO2_TRANSMISSION_TYPE: Object<u8, Rw, MapNotStated, Raw> = Object::
 /// The access is standard: cia301.
 #[doc(alias = "1402")]
 pub const RXPDO3_PARAMETER_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> =
-    Object::new(0x1402, 0x00);
+    object(0x1402, 0x00);
 
 /// COB-ID used by RxPDO3, `1402:01`: UNSIGNED32, ro, mapping not stated.
 ///
@@ -209,7 +209,7 @@ pub const RXPDO3_PARAMETER_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> 
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1402")]
-pub const COB_ID_USED_BY_RXPDO3: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1402, 0x01);
+pub const COB_ID_USED_BY_RXPDO3: Object<u32, Ro, MapNotStated, Raw> = object(0x1402, 0x01);
 
 /// RxPDO3 transmission type, `1402:02`: UNSIGNED8, ro, mapping not stated.
 ///
@@ -219,7 +219,7 @@ pub const COB_ID_USED_BY_RXPDO3: Object<u32, Ro, MapNotStated, Raw> = Object::ne
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1402")]
-pub const RXPDO3_TRANSMISSION_TYPE: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x1402, 0x02);
+pub const RXPDO3_TRANSMISSION_TYPE: Object<u8, Ro, MapNotStated, Raw> = object(0x1402, 0x02);
 
 // 1404h RxPDO5 parameter
 
@@ -229,20 +229,20 @@ pub const RXPDO3_TRANSMISSION_TYPE: Object<u8, Ro, MapNotStated, Raw> = Object::
 /// Default 2.
 /// Manual: 2 L19.
 #[doc(alias = "1404")]
-pub const RXPDO5_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x1404, 0x00);
+pub const RXPDO5_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = object(0x1404, 0x00);
 
 /// RxPDO5 COB-ID, `1404:01`: UNSIGNED32, rw, mapping not stated.
 ///
 /// Manual: 2 L20.
 #[doc(alias = "1404")]
-pub const RXPDO5_COB_ID: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1404, 0x01);
+pub const RXPDO5_COB_ID: Object<u32, Rw, MapNotStated, Raw> = object(0x1404, 0x01);
 
 /// RxPDO5 transmission type, `1404:02`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Default 255.
 /// Manual: 2 L21.
 #[doc(alias = "1404")]
-pub const RXPDO5_TRANSMISSION_TYPE: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x1404, 0x02);
+pub const RXPDO5_TRANSMISSION_TYPE: Object<u8, Rw, MapNotStated, Raw> = object(0x1404, 0x02);
 
 // 1600h RxPDO1 mapping
 
@@ -253,8 +253,7 @@ pub const RXPDO5_TRANSMISSION_TYPE: Object<u8, Rw, MapNotStated, Raw> = Object::
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1600")]
-pub const NUMBER_OF_OBJECTS_IN_RXPDO1: Object<u8, Rw, MapNotStated, Raw> =
-    Object::new(0x1600, 0x00);
+pub const NUMBER_OF_OBJECTS_IN_RXPDO1: Object<u8, Rw, MapNotStated, Raw> = object(0x1600, 0x00);
 
 /// RxPDO1 mapped object, `1600:01`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -263,7 +262,7 @@ pub const NUMBER_OF_OBJECTS_IN_RXPDO1: Object<u8, Rw, MapNotStated, Raw> =
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1600")]
-pub const RXPDO1_MAPPED_OBJECT_1: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1600, 0x01);
+pub const RXPDO1_MAPPED_OBJECT_1: Object<u32, Rw, MapNotStated, Raw> = object(0x1600, 0x01);
 
 /// RxPDO1 mapped object, `1600:02`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -272,7 +271,7 @@ pub const RXPDO1_MAPPED_OBJECT_1: Object<u32, Rw, MapNotStated, Raw> = Object::n
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1600")]
-pub const RXPDO1_MAPPED_OBJECT_2: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1600, 0x02);
+pub const RXPDO1_MAPPED_OBJECT_2: Object<u32, Rw, MapNotStated, Raw> = object(0x1600, 0x02);
 
 /// RxPDO1 mapped object, `1600:03`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -281,7 +280,7 @@ pub const RXPDO1_MAPPED_OBJECT_2: Object<u32, Rw, MapNotStated, Raw> = Object::n
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1600")]
-pub const RXPDO1_MAPPED_OBJECT_3: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1600, 0x03);
+pub const RXPDO1_MAPPED_OBJECT_3: Object<u32, Rw, MapNotStated, Raw> = object(0x1600, 0x03);
 
 /// RxPDO1 mapped object, `1600:04`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -290,7 +289,7 @@ pub const RXPDO1_MAPPED_OBJECT_3: Object<u32, Rw, MapNotStated, Raw> = Object::n
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1600")]
-pub const RXPDO1_MAPPED_OBJECT_4: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1600, 0x04);
+pub const RXPDO1_MAPPED_OBJECT_4: Object<u32, Rw, MapNotStated, Raw> = object(0x1600, 0x04);
 
 // 1601h RxPDO2 mapping
 
@@ -302,8 +301,7 @@ pub const RXPDO1_MAPPED_OBJECT_4: Object<u32, Rw, MapNotStated, Raw> = Object::n
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1601")]
-pub const NUMBER_OF_OBJECTS_IN_RXPDO2: Object<u8, Rw, MapNotStated, Raw> =
-    Object::new(0x1601, 0x00);
+pub const NUMBER_OF_OBJECTS_IN_RXPDO2: Object<u8, Rw, MapNotStated, Raw> = object(0x1601, 0x00);
 
 /// RxPDO2 mapped object, `1601:01`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -312,7 +310,7 @@ pub const NUMBER_OF_OBJECTS_IN_RXPDO2: Object<u8, Rw, MapNotStated, Raw> =
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1601")]
-pub const RXPDO2_MAPPED_OBJECT_1: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1601, 0x01);
+pub const RXPDO2_MAPPED_OBJECT_1: Object<u32, Rw, MapNotStated, Raw> = object(0x1601, 0x01);
 
 /// RxPDO2 mapped object, `1601:02`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -321,7 +319,7 @@ pub const RXPDO2_MAPPED_OBJECT_1: Object<u32, Rw, MapNotStated, Raw> = Object::n
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1601")]
-pub const RXPDO2_MAPPED_OBJECT_2: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1601, 0x02);
+pub const RXPDO2_MAPPED_OBJECT_2: Object<u32, Rw, MapNotStated, Raw> = object(0x1601, 0x02);
 
 // 1602h RxPDO3 mapping
 
@@ -333,8 +331,7 @@ pub const RXPDO2_MAPPED_OBJECT_2: Object<u32, Rw, MapNotStated, Raw> = Object::n
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1602")]
-pub const NUMBER_OF_OBJECTS_IN_RXPDO3: Object<u8, Ro, MapNotStated, Raw> =
-    Object::new(0x1602, 0x00);
+pub const NUMBER_OF_OBJECTS_IN_RXPDO3: Object<u8, Ro, MapNotStated, Raw> = object(0x1602, 0x00);
 
 /// RxPDO3 mapped object, `1602:01`: UNSIGNED32, ro, mapping not stated.
 ///
@@ -343,7 +340,7 @@ pub const NUMBER_OF_OBJECTS_IN_RXPDO3: Object<u8, Ro, MapNotStated, Raw> =
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1602")]
-pub const RXPDO3_MAPPED_OBJECT_1: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1602, 0x01);
+pub const RXPDO3_MAPPED_OBJECT_1: Object<u32, Ro, MapNotStated, Raw> = object(0x1602, 0x01);
 
 // 1604h RxPDO5 mapping
 
@@ -352,15 +349,14 @@ pub const RXPDO3_MAPPED_OBJECT_1: Object<u32, Ro, MapNotStated, Raw> = Object::n
 /// Default 0.
 /// Manual: 2 L40.
 #[doc(alias = "1604")]
-pub const NUMBER_OF_OBJECTS_IN_RXPDO5: Object<u8, Rw, MapNotStated, Raw> =
-    Object::new(0x1604, 0x00);
+pub const NUMBER_OF_OBJECTS_IN_RXPDO5: Object<u8, Rw, MapNotStated, Raw> = object(0x1604, 0x00);
 
 /// RxPDO5 mapped object, `1604:01`: UNSIGNED32, rw, mapping not stated.
 ///
 /// Default 0.
 /// Manual: 2 L41.
 #[doc(alias = "1604")]
-pub const RXPDO5_MAPPED_OBJECT: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1604, 0x01);
+pub const RXPDO5_MAPPED_OBJECT: Object<u32, Rw, MapNotStated, Raw> = object(0x1604, 0x01);
 
 // 1800h TxPDO1 parameter
 
@@ -374,7 +370,7 @@ pub const RXPDO5_MAPPED_OBJECT: Object<u32, Rw, MapNotStated, Raw> = Object::new
 /// The access is standard: cia301.
 #[doc(alias = "1800")]
 pub const TXPDO1_PARAMETER_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> =
-    Object::new(0x1800, 0x00);
+    object(0x1800, 0x00);
 
 /// COB-ID used by TxPDO1, `1800:01`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -384,7 +380,7 @@ pub const TXPDO1_PARAMETER_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> 
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1800")]
-pub const COB_ID_USED_BY_TXPDO1: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1800, 0x01);
+pub const COB_ID_USED_BY_TXPDO1: Object<u32, Rw, MapNotStated, Raw> = object(0x1800, 0x01);
 
 /// TxPDO1 transmission type, `1800:02`: UNSIGNED8, rw, mapping not stated.
 ///
@@ -394,7 +390,7 @@ pub const COB_ID_USED_BY_TXPDO1: Object<u32, Rw, MapNotStated, Raw> = Object::ne
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1800")]
-pub const TXPDO1_TRANSMISSION_TYPE: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x1800, 0x02);
+pub const TXPDO1_TRANSMISSION_TYPE: Object<u8, Rw, MapNotStated, Raw> = object(0x1800, 0x02);
 
 /// TxPDO1 inhibit time, `1800:03`: UNSIGNED16, rw, mapping not stated.
 ///
@@ -406,7 +402,7 @@ pub const TXPDO1_TRANSMISSION_TYPE: Object<u8, Rw, MapNotStated, Raw> = Object::
 /// The unit is standard: cia301.
 #[doc(alias = "1800")]
 pub const TXPDO1_INHIBIT_TIME: Object<u16, Rw, MapNotStated, Time> =
-    Object::new(0x1800, 0x03).scale(1, 10_000);
+    scaled(0x1800, 0x03, 1, 10_000);
 
 /// TxPDO1 event timer, `1800:05`: UNSIGNED16, rw, mapping not stated.
 ///
@@ -417,8 +413,7 @@ pub const TXPDO1_INHIBIT_TIME: Object<u16, Rw, MapNotStated, Time> =
 /// The type is standard: cia301.
 /// The unit is standard: cia301.
 #[doc(alias = "1800")]
-pub const TXPDO1_EVENT_TIMER: Object<u16, Rw, MapNotStated, Time> =
-    Object::new(0x1800, 0x05).scale(1, 1000);
+pub const TXPDO1_EVENT_TIMER: Object<u16, Rw, MapNotStated, Time> = scaled(0x1800, 0x05, 1, 1000);
 
 // 1A00h TxPDO1 mapping
 
@@ -429,8 +424,7 @@ pub const TXPDO1_EVENT_TIMER: Object<u16, Rw, MapNotStated, Time> =
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1A00")]
-pub const NUMBER_OF_OBJECTS_IN_TXPDO1: Object<u8, Rw, MapNotStated, Raw> =
-    Object::new(0x1A00, 0x00);
+pub const NUMBER_OF_OBJECTS_IN_TXPDO1: Object<u8, Rw, MapNotStated, Raw> = object(0x1A00, 0x00);
 
 /// TxPDO1 mapped object, `1A00:01`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -439,7 +433,7 @@ pub const NUMBER_OF_OBJECTS_IN_TXPDO1: Object<u8, Rw, MapNotStated, Raw> =
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1A00")]
-pub const TXPDO1_MAPPED_OBJECT_1: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1A00, 0x01);
+pub const TXPDO1_MAPPED_OBJECT_1: Object<u32, Rw, MapNotStated, Raw> = object(0x1A00, 0x01);
 
 /// TxPDO1 mapped object, `1A00:02`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -448,7 +442,7 @@ pub const TXPDO1_MAPPED_OBJECT_1: Object<u32, Rw, MapNotStated, Raw> = Object::n
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1A00")]
-pub const TXPDO1_MAPPED_OBJECT_2: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1A00, 0x02);
+pub const TXPDO1_MAPPED_OBJECT_2: Object<u32, Rw, MapNotStated, Raw> = object(0x1A00, 0x02);
 
 /// TxPDO1 mapped object, `1A00:03`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -457,48 +451,48 @@ pub const TXPDO1_MAPPED_OBJECT_2: Object<u32, Rw, MapNotStated, Raw> = Object::n
 /// The name is standard: cia301.
 /// The type is standard: cia301.
 #[doc(alias = "1A00")]
-pub const TXPDO1_MAPPED_OBJECT_3: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1A00, 0x03);
+pub const TXPDO1_MAPPED_OBJECT_3: Object<u32, Rw, MapNotStated, Raw> = object(0x1A00, 0x03);
 
 /// Station, `2000:00`: VISIBLE_STRING, rw, not mapped.
 ///
 /// Manual: 4 L1.
 #[doc(alias = "2000")]
-pub const STATION: Object<VisibleString, Rw, Unmapped, Raw> = Object::new(0x2000, 0x00);
+pub const STATION: Object<VisibleString, Rw, Unmapped, Raw> = object(0x2000, 0x00);
 
 /// Window from, `2001:00`: INTEGER16, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 4 L2.
 #[doc(alias = "2001")]
-pub const WINDOW_FROM: Object<i16, Rw, Unmapped, Raw> = Object::new(0x2001, 0x00);
+pub const WINDOW_FROM: Object<i16, Rw, Unmapped, Raw> = object(0x2001, 0x00);
 
 /// Window to, `2002:00`: INTEGER16, rw, not mapped.
 ///
 /// Default 100.
 /// Manual: 4 L3.
 #[doc(alias = "2002")]
-pub const WINDOW_TO: Object<i16, Rw, Unmapped, Raw> = Object::new(0x2002, 0x00);
+pub const WINDOW_TO: Object<i16, Rw, Unmapped, Raw> = object(0x2002, 0x00);
 
 /// Odd, `2003:00`: INTEGER24, rw, RxPDO and TxPDO.
 ///
 /// Default 0.
 /// Manual: 4 L4.
 #[doc(alias = "2003")]
-pub const ODD: Object<I24, Rw, RxTx, Raw> = Object::new(0x2003, 0x00);
+pub const ODD: Object<I24, Rw, RxTx, Raw> = object(0x2003, 0x00);
 
 /// Wide, `2004:00`: UNSIGNED64, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 4 L5.
 #[doc(alias = "2004")]
-pub const WIDE: Object<u64, Rw, Unmapped, Raw> = Object::new(0x2004, 0x00);
+pub const WIDE: Object<u64, Rw, Unmapped, Raw> = object(0x2004, 0x00);
 
 /// Switch, `2005:00`: BOOLEAN, rw, not mapped.
 ///
 /// Default 0.
 /// Manual: 4 L6.
 #[doc(alias = "2005")]
-pub const SWITCH: Object<bool, Rw, Unmapped, Raw> = Object::new(0x2005, 0x00);
+pub const SWITCH: Object<bool, Rw, Unmapped, Raw> = object(0x2005, 0x00);
 
 /// Controlword, `6040:00`: UNSIGNED16, rw, RxPDO.
 ///
@@ -510,7 +504,7 @@ pub const SWITCH: Object<bool, Rw, Unmapped, Raw> = Object::new(0x2005, 0x00);
 /// The access is standard: cia402.
 /// The mapping is standard: cia402.
 #[doc(alias = "6040")]
-pub const CONTROLWORD: Object<bits::Controlword, Rw, Rx, Raw> = Object::new(0x6040, 0x00);
+pub const CONTROLWORD: Object<bits::Controlword, Rw, Rx, Raw> = object(0x6040, 0x00);
 
 /// Statusword, `6041:00`: UNSIGNED16, ro, TxPDO.
 ///
@@ -520,7 +514,7 @@ pub const CONTROLWORD: Object<bits::Controlword, Rw, Rx, Raw> = Object::new(0x60
 /// The access is standard: cia402.
 /// The mapping is standard: cia402.
 #[doc(alias = "6041")]
-pub const STATUSWORD: Object<bits::Statusword, Ro, Tx, Raw> = Object::new(0x6041, 0x00);
+pub const STATUSWORD: Object<bits::Statusword, Ro, Tx, Raw> = object(0x6041, 0x00);
 
 /// Modes of operation, `6060:00`: INTEGER8, rw, RxPDO.
 ///
@@ -533,7 +527,7 @@ pub const STATUSWORD: Object<bits::Statusword, Ro, Tx, Raw> = Object::new(0x6041
 /// The mapping is standard: cia402.
 #[doc(alias = "6060")]
 pub const MODES_OF_OPERATION: Object<enums::ModeOfOperation, Rw, Rx, Raw> =
-    Object::new(0x6060, 0x00).allow(&[0, 1, 3, 8]);
+    object(0x6060, 0x00).allow(&[0, 1, 3, 8]);
 
 /// Modes of operation display, `6061:00`: INTEGER8, ro, TxPDO.
 ///
@@ -544,7 +538,7 @@ pub const MODES_OF_OPERATION: Object<enums::ModeOfOperation, Rw, Rx, Raw> =
 /// The mapping is standard: cia402.
 #[doc(alias = "6061")]
 pub const MODES_OF_OPERATION_DISPLAY: Object<enums::ModeOfOperation, Ro, Tx, Raw> =
-    Object::new(0x6061, 0x00);
+    object(0x6061, 0x00);
 
 /// Position actual value, `6064:00`: INTEGER32, ro, TxPDO.
 ///
@@ -555,7 +549,7 @@ pub const MODES_OF_OPERATION_DISPLAY: Object<enums::ModeOfOperation, Ro, Tx, Raw
 /// The mapping is standard: cia402.
 /// The unit is standard: cia402.
 #[doc(alias = "6064")]
-pub const POSITION_ACTUAL_VALUE: Object<i32, Ro, Tx, UserPosition> = Object::new(0x6064, 0x00);
+pub const POSITION_ACTUAL_VALUE: Object<i32, Ro, Tx, UserPosition> = object(0x6064, 0x00);
 
 /// Target torque, `6071:00`: INTEGER16, rw, RxPDO.
 ///
@@ -567,8 +561,7 @@ pub const POSITION_ACTUAL_VALUE: Object<i32, Ro, Tx, UserPosition> = Object::new
 /// The mapping is standard: cia402.
 /// The unit is standard: cia402.
 #[doc(alias = "6071")]
-pub const TARGET_TORQUE: Object<i16, Rw, Rx, TorqueRatio> =
-    Object::new(0x6071, 0x00).scale(1, 1000);
+pub const TARGET_TORQUE: Object<i16, Rw, Rx, TorqueRatio> = scaled(0x6071, 0x00, 1, 1000);
 
 /// Target position, `607A:00`: INTEGER32, rw, RxPDO.
 ///
@@ -580,7 +573,7 @@ pub const TARGET_TORQUE: Object<i16, Rw, Rx, TorqueRatio> =
 /// The mapping is standard: cia402.
 /// The unit is standard: cia402.
 #[doc(alias = "607A")]
-pub const TARGET_POSITION: Object<i32, Rw, Rx, UserPosition> = Object::new(0x607A, 0x00);
+pub const TARGET_POSITION: Object<i32, Rw, Rx, UserPosition> = object(0x607A, 0x00);
 
 /// Profile velocity, `6081:00`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -591,7 +584,7 @@ pub const TARGET_POSITION: Object<i32, Rw, Rx, UserPosition> = Object::new(0x607
 /// The access is standard: cia402.
 #[doc(alias = "6081")]
 pub const PROFILE_VELOCITY: Object<u32, Rw, MapNotStated, Velocity> =
-    Object::new(0x6081, 0x00).range(0, 60_000).scale(1, 10);
+    ranged_scaled(0x6081, 0x00, 0, 60_000, 1, 10);
 
 /// Profile acceleration, `6083:00`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -601,7 +594,7 @@ pub const PROFILE_VELOCITY: Object<u32, Rw, MapNotStated, Velocity> =
 /// The type is standard: cia402.
 /// The access is standard: cia402.
 #[doc(alias = "6083")]
-pub const PROFILE_ACCELERATION: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x6083, 0x00);
+pub const PROFILE_ACCELERATION: Object<u32, Rw, MapNotStated, Raw> = object(0x6083, 0x00);
 
 /// Target velocity, `60FF:00`: INTEGER32, rw, RxPDO.
 ///
@@ -612,4 +605,4 @@ pub const PROFILE_ACCELERATION: Object<u32, Rw, MapNotStated, Raw> = Object::new
 /// The access is standard: cia402.
 /// The mapping is standard: cia402.
 #[doc(alias = "60FF")]
-pub const TARGET_VELOCITY: Object<i32, Rw, Rx, Velocity> = Object::new(0x60FF, 0x00).scale(1, 10);
+pub const TARGET_VELOCITY: Object<i32, Rw, Rx, Velocity> = scaled(0x60FF, 0x00, 1, 10);

@@ -5,13 +5,14 @@
 
 use super::{bits, enums};
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Gain, `2000:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// panic!("a text is no test");
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const GAIN: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const GAIN: Object<u16, Rw, MapNotStated, Raw> = object(0x2000, 0x00);
 
 /// Loop, `2001:00`: UNSIGNED16, rw, mapping not stated.
 ///
@@ -19,42 +20,42 @@ pub const GAIN: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);
 /// Note: Four blanks.
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const LOOP: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00);
+pub const LOOP: Object<u16, Rw, MapNotStated, Raw> = object(0x2001, 0x00);
 
 /// \--- Filter, `2002:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// \---
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
-pub const FILTER: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2002, 0x00);
+pub const FILTER: Object<u16, Rw, MapNotStated, Raw> = object(0x2002, 0x00);
 
 /// \- Notch, `2003:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// \- an item
 /// Manual: 2 L4.
 #[doc(alias = "2003")]
-pub const NOTCH: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2003, 0x00);
+pub const NOTCH: Object<u16, Rw, MapNotStated, Raw> = object(0x2003, 0x00);
 
 /// Observer, `2004:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// 1\. an item
 /// Manual: 2 L5.
 #[doc(alias = "2004")]
-pub const OBSERVER: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2004, 0x00);
+pub const OBSERVER: Object<u16, Rw, MapNotStated, Raw> = object(0x2004, 0x00);
 
 /// Damping, `2005:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// \===
 /// Manual: 2 L6.
 #[doc(alias = "2005")]
-pub const DAMPING: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2005, 0x00);
+pub const DAMPING: Object<u16, Rw, MapNotStated, Raw> = object(0x2005, 0x00);
 
 /// Level, `2006:00`: UNSIGNED8, rw, mapping not stated.
 ///
 /// \+ an item
 /// Manual: 2 L7.
 #[doc(alias = "2006")]
-pub const LEVEL: Object<enums::Level, Rw, MapNotStated, Raw> = Object::new(0x2006, 0x00);
+pub const LEVEL: Object<enums::Level, Rw, MapNotStated, Raw> = object(0x2006, 0x00);
 
 /// Switches, `2007:00`: UNSIGNED8, rw, mapping not stated.
 ///
@@ -62,4 +63,4 @@ pub const LEVEL: Object<enums::Level, Rw, MapNotStated, Raw> = Object::new(0x200
 /// Deviates from the standard: \= 1
 /// Manual: 2 L8.
 #[doc(alias = "2007")]
-pub const SWITCHES: Object<bits::Switches, Rw, MapNotStated, Raw> = Object::new(0x2007, 0x00);
+pub const SWITCHES: Object<bits::Switches, Rw, MapNotStated, Raw> = object(0x2007, 0x00);

@@ -5,20 +5,21 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 8] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Gain"),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Loop"),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "--- Filter"),
-    ObjectDesc::new(Address::new(0x2003, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "- Notch"),
-    ObjectDesc::new(Address::new(0x2004, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Observer"),
-    ObjectDesc::new(Address::new(0x2005, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Damping"),
-    ObjectDesc::new(Address::new(0x2006, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "Level").values(0),
-    ObjectDesc::new(Address::new(0x2007, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "Switches").bits(0),
+    entry(0x2000, 0x00, UNSIGNED16, RW, NOT_STATED, "Gain", NO_UNIT),
+    entry(0x2001, 0x00, UNSIGNED16, RW, NOT_STATED, "Loop", NO_UNIT),
+    entry(0x2002, 0x00, UNSIGNED16, RW, NOT_STATED, "--- Filter", NO_UNIT),
+    entry(0x2003, 0x00, UNSIGNED16, RW, NOT_STATED, "- Notch", NO_UNIT),
+    entry(0x2004, 0x00, UNSIGNED16, RW, NOT_STATED, "Observer", NO_UNIT),
+    entry(0x2005, 0x00, UNSIGNED16, RW, NOT_STATED, "Damping", NO_UNIT),
+    entry(0x2006, 0x00, UNSIGNED8, RW, NOT_STATED, "Level", NO_UNIT).values(0),
+    entry(0x2007, 0x00, UNSIGNED8, RW, NOT_STATED, "Switches", NO_UNIT).bits(0),
 ];
 
 /// Entries that take listed values only, by address.

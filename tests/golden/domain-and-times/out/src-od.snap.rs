@@ -4,21 +4,22 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Firmware, `2000:00`: DOMAIN, wo, mapping not stated.
 ///
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const FIRMWARE: Object<Domain, Wo, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const FIRMWARE: Object<Domain, Wo, MapNotStated, Raw> = object(0x2000, 0x00);
 
 /// Clock, `2001:00`: TIME_OF_DAY, rw, mapping not stated.
 ///
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const CLOCK: Object<TimeOfDay, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00);
+pub const CLOCK: Object<TimeOfDay, Rw, MapNotStated, Raw> = object(0x2001, 0x00);
 
 /// Run time, `2002:00`: TIME_DIFFERENCE, ro, mapping not stated.
 ///
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
-pub const RUN_TIME: Object<TimeDifference, Ro, MapNotStated, Raw> = Object::new(0x2002, 0x00);
+pub const RUN_TIME: Object<TimeDifference, Ro, MapNotStated, Raw> = object(0x2002, 0x00);

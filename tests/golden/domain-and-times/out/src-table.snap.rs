@@ -5,15 +5,16 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 3] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::DOMAIN, Access::Wo, Mapping::NotStated, "Firmware"),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::TIME_OF_DAY, Access::Rw, Mapping::NotStated, "Clock"),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::TIME_DIFFERENCE, Access::Ro, Mapping::NotStated, "Run time"),
+    entry(0x2000, 0x00, DOMAIN, WO, NOT_STATED, "Firmware", NO_UNIT),
+    entry(0x2001, 0x00, TIME_OF_DAY, RW, NOT_STATED, "Clock", NO_UNIT),
+    entry(0x2002, 0x00, TIME_DIFFERENCE, RO, NOT_STATED, "Run time", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

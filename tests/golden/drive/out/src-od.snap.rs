@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Device type, `1000:00`: UNSIGNED32, ro, mapping not stated.
 ///
@@ -14,7 +15,7 @@ use drivewright_runtime::prelude::*;
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1000")]
-pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1000, 0x00);
+pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = object(0x1000, 0x00);
 
 // 1018h Identity object
 
@@ -27,7 +28,7 @@ pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1000, 
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1018")]
-pub const IDENTITY_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x00);
+pub const IDENTITY_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = object(0x1018, 0x00);
 
 /// Vendor-ID, `1018:01`: UNSIGNED32, ro, mapping not stated.
 ///
@@ -38,4 +39,4 @@ pub const IDENTITY_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1018")]
-pub const VENDOR_ID: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x01);
+pub const VENDOR_ID: Object<u32, Ro, MapNotStated, Raw> = object(0x1018, 0x01);

@@ -5,15 +5,16 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 3] = [
-    ObjectDesc::new(Address::new(0x1000, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Device type").default_int(0x0002_0192),
-    ObjectDesc::new(Address::new(0x1018, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Highest sub-index supported").default_int(1),
-    ObjectDesc::new(Address::new(0x1018, 0x01), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Vendor-ID").default_int(0x0000_025D),
+    preset(0x1000, 0x00, UNSIGNED32, RO, NOT_STATED, "Device type", NO_UNIT, 0x0002_0192),
+    preset(0x1018, 0x00, UNSIGNED8, RO, NOT_STATED, "Highest sub-index supported", NO_UNIT, 1),
+    preset(0x1018, 0x01, UNSIGNED32, RO, NOT_STATED, "Vendor-ID", NO_UNIT, 0x0000_025D),
 ];
 
 /// Entries that take listed values only, by address.

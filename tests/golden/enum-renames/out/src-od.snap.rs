@@ -5,9 +5,10 @@
 
 use super::enums;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Phases, `2000:00`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const PHASES: Object<enums::Phases, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const PHASES: Object<enums::Phases, Rw, MapNotStated, Raw> = object(0x2000, 0x00);

@@ -5,22 +5,23 @@
 
 use super::enums;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Mode, `2000:00`: INTEGER8, rw, mapping not stated.
 ///
 /// Default 1 (Profile position).
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const MODE: Object<enums::Mode, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const MODE: Object<enums::Mode, Rw, MapNotStated, Raw> = object(0x2000, 0x00);
 
 /// Mode display, `2001:00`: INTEGER8, ro, mapping not stated.
 ///
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const MODE_DISPLAY: Object<enums::Mode, Ro, MapNotStated, Raw> = Object::new(0x2001, 0x00);
+pub const MODE_DISPLAY: Object<enums::Mode, Ro, MapNotStated, Raw> = object(0x2001, 0x00);
 
 /// Switch, `2002:00`: BOOLEAN, rw, mapping not stated.
 ///
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
-pub const SWITCH: Object<bool, Rw, MapNotStated, Raw> = Object::new(0x2002, 0x00);
+pub const SWITCH: Object<bool, Rw, MapNotStated, Raw> = object(0x2002, 0x00);

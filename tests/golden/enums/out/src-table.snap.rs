@@ -5,15 +5,16 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 3] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::INTEGER8, Access::Rw, Mapping::NotStated, "Mode").default_int(1).values(1),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::INTEGER8, Access::Ro, Mapping::NotStated, "Mode display").values(1),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::BOOLEAN, Access::Rw, Mapping::NotStated, "Switch").values(2),
+    preset(0x2000, 0x00, INTEGER8, RW, NOT_STATED, "Mode", NO_UNIT, 1).values(1),
+    entry(0x2001, 0x00, INTEGER8, RO, NOT_STATED, "Mode display", NO_UNIT).values(1),
+    entry(0x2002, 0x00, BOOLEAN, RW, NOT_STATED, "Switch", NO_UNIT).values(2),
 ];
 
 /// Entries that take listed values only, by address.

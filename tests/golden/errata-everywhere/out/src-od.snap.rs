@@ -5,18 +5,19 @@
 
 use super::enums;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Mode, `2000:00`: UNSIGNED8, rw, RxPDO.
 ///
 /// Manual: 2 L10.
 #[doc(alias = "2000")]
-pub const MODE: Object<enums::Mode, Rw, Rx, Raw> = Object::new(0x2000, 0x00);
+pub const MODE: Object<enums::Mode, Rw, Rx, Raw> = object(0x2000, 0x00);
 
 /// Other, `2001:00`: UNSIGNED8, rw, RxPDO.
 ///
 /// Manual: 2 L11.
 #[doc(alias = "2001")]
-pub const OTHER: Object<u8, Rw, Rx, Raw> = Object::new(0x2001, 0x00);
+pub const OTHER: Object<u8, Rw, Rx, Raw> = object(0x2001, 0x00);
 
 /// Gain, `2002:00`: UNSIGNED8, rw, mapping not stated.
 ///
@@ -25,4 +26,4 @@ pub const OTHER: Object<u8, Rw, Rx, Raw> = Object::new(0x2001, 0x00);
 ///
 /// Erratum E2, name: printed "Gian", used "Gain". letters swapped
 #[doc(alias = "2002")]
-pub const GAIN: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2002, 0x00);
+pub const GAIN: Object<u8, Rw, MapNotStated, Raw> = object(0x2002, 0x00);

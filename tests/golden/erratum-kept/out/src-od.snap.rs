@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Speed, `2000:00`: UNSIGNED16, rw, mapping not stated.
 ///
@@ -12,4 +13,4 @@ use drivewright_runtime::prelude::*;
 ///
 /// Erratum E01, max: printed 3000, kept. chapter 6 says 6000
 #[doc(alias = "2000")]
-pub const SPEED: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00).at_most(3000);
+pub const SPEED: Object<u16, Rw, MapNotStated, Raw> = object(0x2000, 0x00).at_most(3000);

@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Home offset, `607C:00`: INTEGER32, rw, mapping not stated.
 ///
@@ -17,4 +18,4 @@ use drivewright_runtime::prelude::*;
 /// Erratum E06, max: printed 2000000000, used 2147483647. the type allows more
 #[doc(alias = "607C")]
 pub const HOME_OFFSET: Object<i32, Rw, MapNotStated, Raw> =
-    Object::new(0x607C, 0x00).range(-2_000_000_000, 2_147_483_647);
+    ranged(0x607C, 0x00, -2_000_000_000, 2_147_483_647);

@@ -5,13 +5,14 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 1] = [
-    ObjectDesc::new(Address::new(0x607C, 0x00), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "Home offset").range(-2_000_000_000, 2_147_483_647).default_int(-2_000_000_000),
+    full(0x607C, 0x00, INTEGER32, RW, NOT_STATED, "Home offset", NO_UNIT, -2_000_000_000, 2_147_483_647, -2_000_000_000),
 ];
 
 /// Entries that take listed values only, by address.

@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Modes of operation, `6060:00`: INTEGER8, rw, RxPDO.
 ///
@@ -19,7 +20,7 @@ use drivewright_runtime::prelude::*;
 ///
 /// Erratum E5, values: printed "own modes", dropped. Its values are not those.
 #[doc(alias = "6060")]
-pub const MODES_OF_OPERATION: Object<i8, Rw, Rx, Raw> = Object::new(0x6060, 0x00);
+pub const MODES_OF_OPERATION: Object<i8, Rw, Rx, Raw> = object(0x6060, 0x00);
 
 /// Following error window, `6065:00`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -36,4 +37,4 @@ pub const MODES_OF_OPERATION: Object<i8, Rw, Rx, Raw> = Object::new(0x6060, 0x00
 /// Erratum E3, pdo: printed "tx", dropped. The standard has the other direction, and nothing says which.
 #[doc(alias = "6065")]
 pub const FOLLOWING_ERROR_WINDOW: Object<u32, Rw, MapNotStated, Raw> =
-    Object::new(0x6065, 0x00).at_least(1);
+    object(0x6065, 0x00).at_least(1);

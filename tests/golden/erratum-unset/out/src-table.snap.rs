@@ -5,14 +5,15 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 2] = [
-    ObjectDesc::new(Address::new(0x6060, 0x00), DataType::INTEGER8, Access::Rw, Mapping::Rx, "Modes of operation").default_int(1),
-    ObjectDesc::new(Address::new(0x6065, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Following error window").at_least(1),
+    preset(0x6060, 0x00, INTEGER8, RW, RX, "Modes of operation", NO_UNIT, 1),
+    entry(0x6065, 0x00, UNSIGNED32, RW, NOT_STATED, "Following error window", NO_UNIT).at_least(1),
 ];
 
 /// Entries that take listed values only, by address.

@@ -4,19 +4,20 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Device type, `1000:00`: UNSIGNED32, ro, mapping not stated.
 ///
 /// Default 00020192h.
 /// Manual: 1 L1.
 #[doc(alias = "1000")]
-pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1000, 0x00);
+pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = object(0x1000, 0x00);
 
 /// Error register, `1001:00`: UNSIGNED8, ro, mapping not stated.
 ///
 /// Manual: 1 L1.
 #[doc(alias = "1001")]
-pub const ERROR_REGISTER: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x1001, 0x00);
+pub const ERROR_REGISTER: Object<u8, Ro, MapNotStated, Raw> = object(0x1001, 0x00);
 
 // 1018h Identity
 
@@ -26,38 +27,38 @@ pub const ERROR_REGISTER: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x1001
 /// Default 4.
 /// Manual: 1 L2.
 #[doc(alias = "1018")]
-pub const IDENTITY: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x00);
+pub const IDENTITY: Object<u8, Ro, MapNotStated, Raw> = object(0x1018, 0x00);
 
 /// Vendor, `1018:01`: UNSIGNED32, ro, mapping not stated.
 ///
 /// Default 00004321h.
 /// Manual: 1 L3.
 #[doc(alias = "1018")]
-pub const VENDOR: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x01);
+pub const VENDOR: Object<u32, Ro, MapNotStated, Raw> = object(0x1018, 0x01);
 
 /// Product, `1018:02`: UNSIGNED32, ro, mapping not stated.
 ///
 /// Default 0000000Ah.
 /// Manual: 1 L4.
 #[doc(alias = "1018")]
-pub const PRODUCT: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x02);
+pub const PRODUCT: Object<u32, Ro, MapNotStated, Raw> = object(0x1018, 0x02);
 
 /// Revision, `1018:03`: UNSIGNED32, ro, mapping not stated.
 ///
 /// Default 00010002h.
 /// Manual: 1 L5.
 #[doc(alias = "1018")]
-pub const REVISION: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x03);
+pub const REVISION: Object<u32, Ro, MapNotStated, Raw> = object(0x1018, 0x03);
 
 /// Serial number, `1018:04`: UNSIGNED32, ro, mapping not stated.
 ///
 /// Default 0.
 /// Manual: 1 L6.
 #[doc(alias = "1018")]
-pub const SERIAL_NUMBER: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x04);
+pub const SERIAL_NUMBER: Object<u32, Ro, MapNotStated, Raw> = object(0x1018, 0x04);
 
 /// Mode, `6060:00`: INTEGER8, rw, not mapped.
 ///
 /// Manual: 1 L7.
 #[doc(alias = "6060")]
-pub const MODE: Object<i8, Rw, Unmapped, Raw> = Object::new(0x6060, 0x00);
+pub const MODE: Object<i8, Rw, Unmapped, Raw> = object(0x6060, 0x00);

@@ -5,20 +5,21 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 8] = [
-    ObjectDesc::new(Address::new(0x1000, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Device type").default_int(0x0002_0192),
-    ObjectDesc::new(Address::new(0x1001, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Error register"),
-    ObjectDesc::new(Address::new(0x1018, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Identity").default_int(4),
-    ObjectDesc::new(Address::new(0x1018, 0x01), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Vendor").default_int(0x0000_4321),
-    ObjectDesc::new(Address::new(0x1018, 0x02), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Product").default_int(0x0000_000A),
-    ObjectDesc::new(Address::new(0x1018, 0x03), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Revision").default_int(0x0001_0002),
-    ObjectDesc::new(Address::new(0x1018, 0x04), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Serial number").default_int(0),
-    ObjectDesc::new(Address::new(0x6060, 0x00), DataType::INTEGER8, Access::Rw, Mapping::Unmapped, "Mode"),
+    preset(0x1000, 0x00, UNSIGNED32, RO, NOT_STATED, "Device type", NO_UNIT, 0x0002_0192),
+    entry(0x1001, 0x00, UNSIGNED8, RO, NOT_STATED, "Error register", NO_UNIT),
+    preset(0x1018, 0x00, UNSIGNED8, RO, NOT_STATED, "Identity", NO_UNIT, 4),
+    preset(0x1018, 0x01, UNSIGNED32, RO, NOT_STATED, "Vendor", NO_UNIT, 0x0000_4321),
+    preset(0x1018, 0x02, UNSIGNED32, RO, NOT_STATED, "Product", NO_UNIT, 0x0000_000A),
+    preset(0x1018, 0x03, UNSIGNED32, RO, NOT_STATED, "Revision", NO_UNIT, 0x0001_0002),
+    preset(0x1018, 0x04, UNSIGNED32, RO, NOT_STATED, "Serial number", NO_UNIT, 0),
+    entry(0x6060, 0x00, INTEGER8, RW, UNMAPPED, "Mode", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

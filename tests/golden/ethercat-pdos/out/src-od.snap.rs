@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 // 1600h RxPDO 1 count
 
@@ -13,21 +14,21 @@ use drivewright_runtime::prelude::*;
 /// 0 to 2; default 2.
 /// Manual: 1 L1.
 #[doc(alias = "1600")]
-pub const RXPDO_1_COUNT: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x1600, 0x00).range(0, 2);
+pub const RXPDO_1_COUNT: Object<u8, Rw, MapNotStated, Raw> = ranged(0x1600, 0x00, 0, 2);
 
 /// RxPDO 1 entry 1, `1600:01`: UNSIGNED32, rw, mapping not stated.
 ///
 /// Default 60400010h.
 /// Manual: 1 L1.
 #[doc(alias = "1600")]
-pub const RXPDO_1_ENTRY_1: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1600, 0x01);
+pub const RXPDO_1_ENTRY_1: Object<u32, Rw, MapNotStated, Raw> = object(0x1600, 0x01);
 
 /// RxPDO 1 entry 2, `1600:02`: UNSIGNED32, rw, mapping not stated.
 ///
 /// Default 607A0020h.
 /// Manual: 1 L1.
 #[doc(alias = "1600")]
-pub const RXPDO_1_ENTRY_2: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1600, 0x02);
+pub const RXPDO_1_ENTRY_2: Object<u32, Rw, MapNotStated, Raw> = object(0x1600, 0x02);
 
 // 1601h RxPDO 2 count
 
@@ -37,14 +38,14 @@ pub const RXPDO_1_ENTRY_2: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x16
 /// 0 to 1; default 1.
 /// Manual: 1 L1.
 #[doc(alias = "1601")]
-pub const RXPDO_2_COUNT: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x1601, 0x00).range(0, 1);
+pub const RXPDO_2_COUNT: Object<u8, Rw, MapNotStated, Raw> = ranged(0x1601, 0x00, 0, 1);
 
 /// RxPDO 2 entry 1, `1601:01`: UNSIGNED32, rw, mapping not stated.
 ///
 /// Default 60400010h.
 /// Manual: 1 L1.
 #[doc(alias = "1601")]
-pub const RXPDO_2_ENTRY_1: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1601, 0x01);
+pub const RXPDO_2_ENTRY_1: Object<u32, Rw, MapNotStated, Raw> = object(0x1601, 0x01);
 
 // 1602h RxPDO 3 count
 
@@ -53,14 +54,14 @@ pub const RXPDO_2_ENTRY_1: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x16
 /// Default 0.
 /// Manual: 1 L1.
 #[doc(alias = "1602")]
-pub const RXPDO_3_COUNT: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x1602, 0x00);
+pub const RXPDO_3_COUNT: Object<u8, Rw, MapNotStated, Raw> = object(0x1602, 0x00);
 
 /// RxPDO 3 entry 1, `1602:01`: UNSIGNED32, rw, mapping not stated.
 ///
 /// Default 0.
 /// Manual: 1 L1.
 #[doc(alias = "1602")]
-pub const RXPDO_3_ENTRY_1: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1602, 0x01);
+pub const RXPDO_3_ENTRY_1: Object<u32, Rw, MapNotStated, Raw> = object(0x1602, 0x01);
 
 // 1A00h TxPDO 1 count
 
@@ -70,14 +71,14 @@ pub const RXPDO_3_ENTRY_1: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x16
 /// Default 1.
 /// Manual: 1 L2.
 #[doc(alias = "1A00")]
-pub const TXPDO_1_COUNT: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x1A00, 0x00);
+pub const TXPDO_1_COUNT: Object<u8, Ro, MapNotStated, Raw> = object(0x1A00, 0x00);
 
 /// TxPDO 1 entry 1, `1A00:01`: UNSIGNED32, ro, mapping not stated.
 ///
 /// Default 60410010h.
 /// Manual: 1 L2.
 #[doc(alias = "1A00")]
-pub const TXPDO_1_ENTRY_1: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1A00, 0x01);
+pub const TXPDO_1_ENTRY_1: Object<u32, Ro, MapNotStated, Raw> = object(0x1A00, 0x01);
 
 // 1C12h Sync manager 2 PDO assignment
 
@@ -87,15 +88,14 @@ pub const TXPDO_1_ENTRY_1: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1A
 /// 0 to 1; default 1.
 /// Manual: 1 L3.
 #[doc(alias = "1C12")]
-pub const RXPDO_ASSIGNMENT_COUNT: Object<u8, Rw, MapNotStated, Raw> =
-    Object::new(0x1C12, 0x00).range(0, 1);
+pub const RXPDO_ASSIGNMENT_COUNT: Object<u8, Rw, MapNotStated, Raw> = ranged(0x1C12, 0x00, 0, 1);
 
 /// Assigned RxPDO 1, `1C12:01`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Default 1601h.
 /// Manual: 1 L3.
 #[doc(alias = "1C12")]
-pub const ASSIGNED_RXPDO_1: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x1C12, 0x01);
+pub const ASSIGNED_RXPDO_1: Object<u16, Rw, MapNotStated, Raw> = object(0x1C12, 0x01);
 
 // 1C13h Sync manager 3 PDO assignment
 
@@ -105,29 +105,29 @@ pub const ASSIGNED_RXPDO_1: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x1
 /// Default 1.
 /// Manual: 1 L3.
 #[doc(alias = "1C13")]
-pub const TXPDO_ASSIGNMENT_COUNT: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x1C13, 0x00);
+pub const TXPDO_ASSIGNMENT_COUNT: Object<u8, Ro, MapNotStated, Raw> = object(0x1C13, 0x00);
 
 /// Assigned TxPDO 1, `1C13:01`: UNSIGNED16, ro, mapping not stated.
 ///
 /// Default 1A00h.
 /// Manual: 1 L3.
 #[doc(alias = "1C13")]
-pub const ASSIGNED_TXPDO_1: Object<u16, Ro, MapNotStated, Raw> = Object::new(0x1C13, 0x01);
+pub const ASSIGNED_TXPDO_1: Object<u16, Ro, MapNotStated, Raw> = object(0x1C13, 0x01);
 
 /// Controlword, `6040:00`: UNSIGNED16, rw, RxPDO.
 ///
 /// Manual: 1 L4.
 #[doc(alias = "6040")]
-pub const CONTROLWORD: Object<u16, Rw, Rx, Raw> = Object::new(0x6040, 0x00);
+pub const CONTROLWORD: Object<u16, Rw, Rx, Raw> = object(0x6040, 0x00);
 
 /// Statusword, `6041:00`: UNSIGNED16, ro, TxPDO.
 ///
 /// Manual: 1 L4.
 #[doc(alias = "6041")]
-pub const STATUSWORD: Object<u16, Ro, Tx, Raw> = Object::new(0x6041, 0x00);
+pub const STATUSWORD: Object<u16, Ro, Tx, Raw> = object(0x6041, 0x00);
 
 /// Target position, `607A:00`: INTEGER32, rw, RxPDO.
 ///
 /// Manual: 1 L4.
 #[doc(alias = "607A")]
-pub const TARGET_POSITION: Object<i32, Rw, Rx, Raw> = Object::new(0x607A, 0x00);
+pub const TARGET_POSITION: Object<i32, Rw, Rx, Raw> = object(0x607A, 0x00);

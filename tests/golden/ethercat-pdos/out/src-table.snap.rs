@@ -5,28 +5,29 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 16] = [
-    ObjectDesc::new(Address::new(0x1600, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "RxPDO 1 count").range(0, 2).default_int(2),
-    ObjectDesc::new(Address::new(0x1600, 0x01), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "RxPDO 1 entry 1").default_int(0x6040_0010),
-    ObjectDesc::new(Address::new(0x1600, 0x02), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "RxPDO 1 entry 2").default_int(0x607A_0020),
-    ObjectDesc::new(Address::new(0x1601, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "RxPDO 2 count").range(0, 1).default_int(1),
-    ObjectDesc::new(Address::new(0x1601, 0x01), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "RxPDO 2 entry 1").default_int(0x6040_0010),
-    ObjectDesc::new(Address::new(0x1602, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "RxPDO 3 count").default_int(0),
-    ObjectDesc::new(Address::new(0x1602, 0x01), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "RxPDO 3 entry 1").default_int(0),
-    ObjectDesc::new(Address::new(0x1A00, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "TxPDO 1 count").default_int(1),
-    ObjectDesc::new(Address::new(0x1A00, 0x01), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "TxPDO 1 entry 1").default_int(0x6041_0010),
-    ObjectDesc::new(Address::new(0x1C12, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "RxPDO assignment count").range(0, 1).default_int(1),
-    ObjectDesc::new(Address::new(0x1C12, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Assigned RxPDO 1").default_int(0x1601),
-    ObjectDesc::new(Address::new(0x1C13, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "TxPDO assignment count").default_int(1),
-    ObjectDesc::new(Address::new(0x1C13, 0x01), DataType::UNSIGNED16, Access::Ro, Mapping::NotStated, "Assigned TxPDO 1").default_int(0x1A00),
-    ObjectDesc::new(Address::new(0x6040, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::Rx, "Controlword"),
-    ObjectDesc::new(Address::new(0x6041, 0x00), DataType::UNSIGNED16, Access::Ro, Mapping::Tx, "Statusword"),
-    ObjectDesc::new(Address::new(0x607A, 0x00), DataType::INTEGER32, Access::Rw, Mapping::Rx, "Target position"),
+    full(0x1600, 0x00, UNSIGNED8, RW, NOT_STATED, "RxPDO 1 count", NO_UNIT, 0, 2, 2),
+    preset(0x1600, 0x01, UNSIGNED32, RW, NOT_STATED, "RxPDO 1 entry 1", NO_UNIT, 0x6040_0010),
+    preset(0x1600, 0x02, UNSIGNED32, RW, NOT_STATED, "RxPDO 1 entry 2", NO_UNIT, 0x607A_0020),
+    full(0x1601, 0x00, UNSIGNED8, RW, NOT_STATED, "RxPDO 2 count", NO_UNIT, 0, 1, 1),
+    preset(0x1601, 0x01, UNSIGNED32, RW, NOT_STATED, "RxPDO 2 entry 1", NO_UNIT, 0x6040_0010),
+    preset(0x1602, 0x00, UNSIGNED8, RW, NOT_STATED, "RxPDO 3 count", NO_UNIT, 0),
+    preset(0x1602, 0x01, UNSIGNED32, RW, NOT_STATED, "RxPDO 3 entry 1", NO_UNIT, 0),
+    preset(0x1A00, 0x00, UNSIGNED8, RO, NOT_STATED, "TxPDO 1 count", NO_UNIT, 1),
+    preset(0x1A00, 0x01, UNSIGNED32, RO, NOT_STATED, "TxPDO 1 entry 1", NO_UNIT, 0x6041_0010),
+    full(0x1C12, 0x00, UNSIGNED8, RW, NOT_STATED, "RxPDO assignment count", NO_UNIT, 0, 1, 1),
+    preset(0x1C12, 0x01, UNSIGNED16, RW, NOT_STATED, "Assigned RxPDO 1", NO_UNIT, 0x1601),
+    preset(0x1C13, 0x00, UNSIGNED8, RO, NOT_STATED, "TxPDO assignment count", NO_UNIT, 1),
+    preset(0x1C13, 0x01, UNSIGNED16, RO, NOT_STATED, "Assigned TxPDO 1", NO_UNIT, 0x1A00),
+    entry(0x6040, 0x00, UNSIGNED16, RW, RX, "Controlword", NO_UNIT),
+    entry(0x6041, 0x00, UNSIGNED16, RO, TX, "Statusword", NO_UNIT),
+    entry(0x607A, 0x00, INTEGER32, RW, RX, "Target position", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

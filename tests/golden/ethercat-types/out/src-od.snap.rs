@@ -5,6 +5,7 @@
 
 use super::enums;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 // 2000h Count
 
@@ -14,133 +15,133 @@ use drivewright_runtime::prelude::*;
 /// Default 28.
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const COUNT: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const COUNT: Object<u8, Ro, MapNotStated, Raw> = object(0x2000, 0x00);
 
 /// Bool, `2000:01`: BOOLEAN, rw, RxPDO.
 ///
 /// Default 1.
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const BOOL: Object<bool, Rw, Rx, Raw> = Object::new(0x2000, 0x01);
+pub const BOOL: Object<bool, Rw, Rx, Raw> = object(0x2000, 0x01);
 
 /// Byte, `2000:02`: INTEGER8, ro, TxPDO.
 ///
 /// -128 to 127; default -128.
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const BYTE: Object<i8, Ro, Tx, Raw> = Object::new(0x2000, 0x02).range(-128, 127);
+pub const BYTE: Object<i8, Ro, Tx, Raw> = ranged(0x2000, 0x02, -128, 127);
 
 /// Word, `2000:03`: INTEGER16, wo, mapping not stated.
 ///
 /// Default -32768.
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const WORD: Object<i16, Wo, MapNotStated, Raw> = Object::new(0x2000, 0x03);
+pub const WORD: Object<i16, Wo, MapNotStated, Raw> = object(0x2000, 0x03);
 
 /// Long, `2000:05`: INTEGER32, const, mapping not stated.
 ///
 /// Default -2147483648.
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const LONG: Object<i32, Const, MapNotStated, Raw> = Object::new(0x2000, 0x05);
+pub const LONG: Object<i32, Const, MapNotStated, Raw> = object(0x2000, 0x05);
 
 /// Quad, `2000:06`: INTEGER64, rw, mapping not stated.
 ///
 /// At least -9223372036854775808; default -1.
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const QUAD: Object<i64, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x06);
+pub const QUAD: Object<i64, Rw, MapNotStated, Raw> = object(0x2000, 0x06);
 
 /// Unsigned word, `2000:07`: UNSIGNED16, rw, RxPDO and TxPDO.
 ///
 /// At most 65535.
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const UNSIGNED_WORD: Object<u16, Rw, RxTx, Raw> = Object::new(0x2000, 0x07).at_most(65_535);
+pub const UNSIGNED_WORD: Object<u16, Rw, RxTx, Raw> = object(0x2000, 0x07).at_most(65_535);
 
 /// Unsigned quad, `2000:08`: UNSIGNED64, rw, mapping not stated.
 ///
 /// At most 18446744073709551615.
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const UNSIGNED_QUAD: Object<u64, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x08);
+pub const UNSIGNED_QUAD: Object<u64, Rw, MapNotStated, Raw> = object(0x2000, 0x08);
 
 /// Real, `2000:09`: REAL32, rw, mapping not stated.
 ///
 /// Default 1.
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const REAL: Object<f32, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x09);
+pub const REAL: Object<f32, Rw, MapNotStated, Raw> = object(0x2000, 0x09);
 
 /// Double, `2000:0A`: REAL64, rw, mapping not stated.
 ///
 /// Default 3.
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const DOUBLE: Object<f64, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x0A);
+pub const DOUBLE: Object<f64, Rw, MapNotStated, Raw> = object(0x2000, 0x0A);
 
 /// Three bytes, `2000:0B`: INTEGER24, rw, mapping not stated.
 ///
 /// Default -2.
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const THREE_BYTES: Object<I24, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x0B);
+pub const THREE_BYTES: Object<I24, Rw, MapNotStated, Raw> = object(0x2000, 0x0B);
 
 /// Five bytes, `2000:0C`: UNSIGNED40, rw, mapping not stated.
 ///
 /// Default 1.
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const FIVE_BYTES: Object<U40, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x0C);
+pub const FIVE_BYTES: Object<U40, Rw, MapNotStated, Raw> = object(0x2000, 0x0C);
 
 /// Seven bytes, `2000:0D`: INTEGER56, rw, mapping not stated.
 ///
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const SEVEN_BYTES: Object<I56, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x0D);
+pub const SEVEN_BYTES: Object<I56, Rw, MapNotStated, Raw> = object(0x2000, 0x0D);
 
 /// Text, `2000:10`: VISIBLE_STRING, ro, mapping not stated.
 ///
 /// Default "1 &lt; 2 &amp; "3"".
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const TEXT: Object<VisibleString, Ro, MapNotStated, Raw> = Object::new(0x2000, 0x10);
+pub const TEXT: Object<VisibleString, Ro, MapNotStated, Raw> = object(0x2000, 0x10);
 
 /// Octets, `2000:11`: OCTET_STRING, rw, mapping not stated.
 ///
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const OCTETS: Object<OctetString, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x11);
+pub const OCTETS: Object<OctetString, Rw, MapNotStated, Raw> = object(0x2000, 0x11);
 
 /// Unicode, `2000:12`: UNICODE_STRING, rw, mapping not stated.
 ///
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const UNICODE: Object<UnicodeString, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x12);
+pub const UNICODE: Object<UnicodeString, Rw, MapNotStated, Raw> = object(0x2000, 0x12);
 
 /// Time, `2000:13`: TIME_OF_DAY, rw, mapping not stated.
 ///
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const TIME: Object<TimeOfDay, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x13);
+pub const TIME: Object<TimeOfDay, Rw, MapNotStated, Raw> = object(0x2000, 0x13);
 
 /// Difference, `2000:14`: TIME_DIFFERENCE, rw, mapping not stated.
 ///
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const DIFFERENCE: Object<TimeDifference, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x14);
+pub const DIFFERENCE: Object<TimeDifference, Rw, MapNotStated, Raw> = object(0x2000, 0x14);
 
 /// Domain, `2000:15`: DOMAIN, rw, mapping not stated.
 ///
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const DOMAIN: Object<Domain, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x15);
+pub const DOMAIN: Object<Domain, Rw, MapNotStated, Raw> = object(0x2000, 0x15);
 
 /// Bool, `2000:1C`: BOOLEAN, rw, mapping not stated.
 ///
 /// Manual: 1 L1.
 #[doc(alias = "2000")]
-pub const LAST_BOOL: Object<bool, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x1C);
+pub const LAST_BOOL: Object<bool, Rw, MapNotStated, Raw> = object(0x2000, 0x1C);
 
 // 2001h Gains
 
@@ -150,75 +151,72 @@ pub const LAST_BOOL: Object<bool, Rw, MapNotStated, Raw> = Object::new(0x2000, 0
 /// Default 3.
 /// Manual: 1 L2.
 #[doc(alias = "2001")]
-pub const GAIN_COUNT: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x2001, 0x00);
+pub const GAIN_COUNT: Object<u8, Ro, MapNotStated, Raw> = object(0x2001, 0x00);
 
 /// Gain, `2001:01`: UNSIGNED16, rw, mapping not stated.
 ///
 /// 1 to 1000; default 10.
 /// Manual: 1 L2.
 #[doc(alias = "2001")]
-pub const GAIN_1: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x01).range(1, 1000);
+pub const GAIN_1: Object<u16, Rw, MapNotStated, Raw> = ranged(0x2001, 0x01, 1, 1000);
 
 /// Gain, `2001:02`: UNSIGNED16, rw, mapping not stated.
 ///
 /// 1 to 1000; default 10.
 /// Manual: 1 L2.
 #[doc(alias = "2001")]
-pub const GAIN_2: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x02).range(1, 1000);
+pub const GAIN_2: Object<u16, Rw, MapNotStated, Raw> = ranged(0x2001, 0x02, 1, 1000);
 
 /// Gain, `2001:03`: UNSIGNED16, rw, mapping not stated.
 ///
 /// 1 to 1000; default 10.
 /// Manual: 1 L2.
 #[doc(alias = "2001")]
-pub const GAIN_3: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x03).range(1, 1000);
+pub const GAIN_3: Object<u16, Rw, MapNotStated, Raw> = ranged(0x2001, 0x03, 1, 1000);
 
 /// Mode, `2002:00`: INTEGER8, rw, mapping not stated.
 ///
 /// Only -1 (Own &lt;mode&gt;), 1 (Position); default 1.
 /// Manual: 1 L3.
 #[doc(alias = "2002")]
-pub const MODE: Object<enums::Mode, Rw, MapNotStated, Raw> =
-    Object::new(0x2002, 0x00).allow(&[-1, 1]);
+pub const MODE: Object<enums::Mode, Rw, MapNotStated, Raw> = object(0x2002, 0x00).allow(&[-1, 1]);
 
 /// Same mode, `2003:00`: INTEGER8, ro, mapping not stated.
 ///
 /// Manual: 1 L3.
 #[doc(alias = "2003")]
-pub const SAME_MODE: Object<enums::Mode, Ro, MapNotStated, Raw> = Object::new(0x2003, 0x00);
+pub const SAME_MODE: Object<enums::Mode, Ro, MapNotStated, Raw> = object(0x2003, 0x00);
 
 /// Wide, `2004:00`: UNSIGNED64, ro, mapping not stated.
 ///
 /// Manual: 1 L3.
 #[doc(alias = "2004")]
-pub const WIDE: Object<enums::Wide, Ro, MapNotStated, Raw> = Object::new(0x2004, 0x00);
+pub const WIDE: Object<enums::Wide, Ro, MapNotStated, Raw> = object(0x2004, 0x00);
 
 /// Speed, `2010:00`: INTEGER32, rw, mapping not stated.
 ///
 /// In 0.1 rpm.
 /// Manual: 1 L4.
 #[doc(alias = "2010")]
-pub const SPEED: Object<i32, Rw, MapNotStated, Velocity> = Object::new(0x2010, 0x00).scale(1, 10);
+pub const SPEED: Object<i32, Rw, MapNotStated, Velocity> = scaled(0x2010, 0x00, 1, 10);
 
 /// Time constant, `2011:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// In us.
 /// Manual: 1 L4.
 #[doc(alias = "2011")]
-pub const TIME_CONSTANT: Object<u16, Rw, MapNotStated, Time> =
-    Object::new(0x2011, 0x00).scale(1, 1_000_000);
+pub const TIME_CONSTANT: Object<u16, Rw, MapNotStated, Time> = scaled(0x2011, 0x00, 1, 1_000_000);
 
 /// Torque, `2012:00`: INTEGER16, rw, mapping not stated.
 ///
 /// In 0.1 % rated torque.
 /// Manual: 1 L4.
 #[doc(alias = "2012")]
-pub const TORQUE: Object<i16, Rw, MapNotStated, TorqueRatio> =
-    Object::new(0x2012, 0x00).scale(1, 1000);
+pub const TORQUE: Object<i16, Rw, MapNotStated, TorqueRatio> = scaled(0x2012, 0x00, 1, 1000);
 
 /// Angle, `2013:00`: INTEGER32, ro, mapping not stated.
 ///
 /// In 1/65536 rev.
 /// Manual: 1 L4.
 #[doc(alias = "2013")]
-pub const ANGLE: Object<i32, Ro, MapNotStated, Angle> = Object::new(0x2013, 0x00).scale(1, 65_536);
+pub const ANGLE: Object<i32, Ro, MapNotStated, Angle> = scaled(0x2013, 0x00, 1, 65_536);

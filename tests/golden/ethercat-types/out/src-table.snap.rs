@@ -5,6 +5,7 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 4] = [
@@ -14,39 +15,39 @@ pub static UNITS: [UnitDesc<'static>; 4] = [
     UnitDesc::new("1/65536 rev", QuantityKind::Angle, 1, 65_536),
 ];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 31] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Count").default_int(28),
-    ObjectDesc::new(Address::new(0x2000, 0x01), DataType::BOOLEAN, Access::Rw, Mapping::Rx, "Bool").default_int(1),
-    ObjectDesc::new(Address::new(0x2000, 0x02), DataType::INTEGER8, Access::Ro, Mapping::Tx, "Byte").range(-128, 127).default_int(-128),
-    ObjectDesc::new(Address::new(0x2000, 0x03), DataType::INTEGER16, Access::Wo, Mapping::NotStated, "Word").default_int(-32_768),
-    ObjectDesc::new(Address::new(0x2000, 0x05), DataType::INTEGER32, Access::Const, Mapping::NotStated, "Long").default_int(-2_147_483_648),
-    ObjectDesc::new(Address::new(0x2000, 0x06), DataType::INTEGER64, Access::Rw, Mapping::NotStated, "Quad").at_least(-9_223_372_036_854_775_808).default_int(-1),
-    ObjectDesc::new(Address::new(0x2000, 0x07), DataType::UNSIGNED16, Access::Rw, Mapping::RxTx, "Unsigned word").at_most(65_535),
-    ObjectDesc::new(Address::new(0x2000, 0x08), DataType::UNSIGNED64, Access::Rw, Mapping::NotStated, "Unsigned quad").at_most(-1),
-    ObjectDesc::new(Address::new(0x2000, 0x09), DataType::REAL32, Access::Rw, Mapping::NotStated, "Real").default_int(1),
-    ObjectDesc::new(Address::new(0x2000, 0x0A), DataType::REAL64, Access::Rw, Mapping::NotStated, "Double").default_int(3),
-    ObjectDesc::new(Address::new(0x2000, 0x0B), DataType::INTEGER24, Access::Rw, Mapping::NotStated, "Three bytes").default_int(-2),
-    ObjectDesc::new(Address::new(0x2000, 0x0C), DataType::UNSIGNED40, Access::Rw, Mapping::NotStated, "Five bytes").default_int(1),
-    ObjectDesc::new(Address::new(0x2000, 0x0D), DataType::INTEGER56, Access::Rw, Mapping::NotStated, "Seven bytes"),
-    ObjectDesc::new(Address::new(0x2000, 0x10), DataType::VISIBLE_STRING, Access::Ro, Mapping::NotStated, "Text"),
-    ObjectDesc::new(Address::new(0x2000, 0x11), DataType::OCTET_STRING, Access::Rw, Mapping::NotStated, "Octets"),
-    ObjectDesc::new(Address::new(0x2000, 0x12), DataType::UNICODE_STRING, Access::Rw, Mapping::NotStated, "Unicode"),
-    ObjectDesc::new(Address::new(0x2000, 0x13), DataType::TIME_OF_DAY, Access::Rw, Mapping::NotStated, "Time"),
-    ObjectDesc::new(Address::new(0x2000, 0x14), DataType::TIME_DIFFERENCE, Access::Rw, Mapping::NotStated, "Difference"),
-    ObjectDesc::new(Address::new(0x2000, 0x15), DataType::DOMAIN, Access::Rw, Mapping::NotStated, "Domain"),
-    ObjectDesc::new(Address::new(0x2000, 0x1C), DataType::BOOLEAN, Access::Rw, Mapping::NotStated, "Bool"),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Count").default_int(3),
-    ObjectDesc::new(Address::new(0x2001, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Gain").range(1, 1000).default_int(10),
-    ObjectDesc::new(Address::new(0x2001, 0x02), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Gain").range(1, 1000).default_int(10),
-    ObjectDesc::new(Address::new(0x2001, 0x03), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Gain").range(1, 1000).default_int(10),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::INTEGER8, Access::Rw, Mapping::NotStated, "Mode").default_int(1).values(0),
-    ObjectDesc::new(Address::new(0x2003, 0x00), DataType::INTEGER8, Access::Ro, Mapping::NotStated, "Same mode").values(0),
-    ObjectDesc::new(Address::new(0x2004, 0x00), DataType::UNSIGNED64, Access::Ro, Mapping::NotStated, "Wide").values(1),
-    ObjectDesc::new(Address::new(0x2010, 0x00), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "Speed").unit(0),
-    ObjectDesc::new(Address::new(0x2011, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Time constant").unit(1),
-    ObjectDesc::new(Address::new(0x2012, 0x00), DataType::INTEGER16, Access::Rw, Mapping::NotStated, "Torque").unit(2),
-    ObjectDesc::new(Address::new(0x2013, 0x00), DataType::INTEGER32, Access::Ro, Mapping::NotStated, "Angle").unit(3),
+    preset(0x2000, 0x00, UNSIGNED8, RO, NOT_STATED, "Count", NO_UNIT, 28),
+    preset(0x2000, 0x01, BOOLEAN, RW, RX, "Bool", NO_UNIT, 1),
+    full(0x2000, 0x02, INTEGER8, RO, TX, "Byte", NO_UNIT, -128, 127, -128),
+    preset(0x2000, 0x03, INTEGER16, WO, NOT_STATED, "Word", NO_UNIT, -32_768),
+    preset(0x2000, 0x05, INTEGER32, CONST, NOT_STATED, "Long", NO_UNIT, -2_147_483_648),
+    preset(0x2000, 0x06, INTEGER64, RW, NOT_STATED, "Quad", NO_UNIT, -1).at_least(-9_223_372_036_854_775_808),
+    entry(0x2000, 0x07, UNSIGNED16, RW, RX_TX, "Unsigned word", NO_UNIT).at_most(65_535),
+    entry(0x2000, 0x08, UNSIGNED64, RW, NOT_STATED, "Unsigned quad", NO_UNIT).at_most(-1),
+    preset(0x2000, 0x09, REAL32, RW, NOT_STATED, "Real", NO_UNIT, 1),
+    preset(0x2000, 0x0A, REAL64, RW, NOT_STATED, "Double", NO_UNIT, 3),
+    preset(0x2000, 0x0B, INTEGER24, RW, NOT_STATED, "Three bytes", NO_UNIT, -2),
+    preset(0x2000, 0x0C, UNSIGNED40, RW, NOT_STATED, "Five bytes", NO_UNIT, 1),
+    entry(0x2000, 0x0D, INTEGER56, RW, NOT_STATED, "Seven bytes", NO_UNIT),
+    entry(0x2000, 0x10, VISIBLE_STRING, RO, NOT_STATED, "Text", NO_UNIT),
+    entry(0x2000, 0x11, OCTET_STRING, RW, NOT_STATED, "Octets", NO_UNIT),
+    entry(0x2000, 0x12, UNICODE_STRING, RW, NOT_STATED, "Unicode", NO_UNIT),
+    entry(0x2000, 0x13, TIME_OF_DAY, RW, NOT_STATED, "Time", NO_UNIT),
+    entry(0x2000, 0x14, TIME_DIFFERENCE, RW, NOT_STATED, "Difference", NO_UNIT),
+    entry(0x2000, 0x15, DOMAIN, RW, NOT_STATED, "Domain", NO_UNIT),
+    entry(0x2000, 0x1C, BOOLEAN, RW, NOT_STATED, "Bool", NO_UNIT),
+    preset(0x2001, 0x00, UNSIGNED8, RO, NOT_STATED, "Count", NO_UNIT, 3),
+    full(0x2001, 0x01, UNSIGNED16, RW, NOT_STATED, "Gain", NO_UNIT, 1, 1000, 10),
+    full(0x2001, 0x02, UNSIGNED16, RW, NOT_STATED, "Gain", NO_UNIT, 1, 1000, 10),
+    full(0x2001, 0x03, UNSIGNED16, RW, NOT_STATED, "Gain", NO_UNIT, 1, 1000, 10),
+    preset(0x2002, 0x00, INTEGER8, RW, NOT_STATED, "Mode", NO_UNIT, 1).values(0),
+    entry(0x2003, 0x00, INTEGER8, RO, NOT_STATED, "Same mode", NO_UNIT).values(0),
+    entry(0x2004, 0x00, UNSIGNED64, RO, NOT_STATED, "Wide", NO_UNIT).values(1),
+    entry(0x2010, 0x00, INTEGER32, RW, NOT_STATED, "Speed", 0),
+    entry(0x2011, 0x00, UNSIGNED16, RW, NOT_STATED, "Time constant", 1),
+    entry(0x2012, 0x00, INTEGER16, RW, NOT_STATED, "Torque", 2),
+    entry(0x2013, 0x00, INTEGER32, RO, NOT_STATED, "Angle", 3),
 ];
 
 /// Entries that take listed values only, by address.

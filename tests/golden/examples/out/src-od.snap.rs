@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 // 1A00h TxPDO 1
 
@@ -13,19 +14,19 @@ use drivewright_runtime::prelude::*;
 /// Default 2.
 /// Manual: 3 L1.
 #[doc(alias = "1A00")]
-pub const NUMBER_OF_ENTRIES: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x1A00, 0x00);
+pub const NUMBER_OF_ENTRIES: Object<u8, Rw, MapNotStated, Raw> = object(0x1A00, 0x00);
 
 /// Mapping, `1A00:01`: UNSIGNED32, rw, mapping not stated.
 ///
 /// Manual: 3 L1.
 #[doc(alias = "1A00")]
-pub const MAPPING_1: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1A00, 0x01);
+pub const MAPPING_1: Object<u32, Rw, MapNotStated, Raw> = object(0x1A00, 0x01);
 
 /// Mapping, `1A00:02`: UNSIGNED32, rw, mapping not stated.
 ///
 /// Manual: 3 L1.
 #[doc(alias = "1A00")]
-pub const MAPPING_2: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1A00, 0x02);
+pub const MAPPING_2: Object<u32, Rw, MapNotStated, Raw> = object(0x1A00, 0x02);
 
 // 3000h Parameters
 
@@ -35,28 +36,28 @@ pub const MAPPING_2: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1A00, 0x
 /// Default 1.
 /// Manual: 3 L2.
 #[doc(alias = "3000")]
-pub const HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x3000, 0x00);
+pub const HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = object(0x3000, 0x00);
 
 /// Gain, `3000:01`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 3 L2.
 #[doc(alias = "3000")]
-pub const GAIN: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x3000, 0x01);
+pub const GAIN: Object<u16, Rw, MapNotStated, Raw> = object(0x3000, 0x01);
 
 /// Controlword, `6040:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 3 L3.
 #[doc(alias = "6040")]
-pub const CONTROLWORD: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x6040, 0x00);
+pub const CONTROLWORD: Object<u16, Rw, MapNotStated, Raw> = object(0x6040, 0x00);
 
 /// Target position, `607A:00`: INTEGER32, rw, mapping not stated.
 ///
 /// Manual: 3 L4.
 #[doc(alias = "607A")]
-pub const TARGET_POSITION: Object<i32, Rw, MapNotStated, Raw> = Object::new(0x607A, 0x00);
+pub const TARGET_POSITION: Object<i32, Rw, MapNotStated, Raw> = object(0x607A, 0x00);
 
 /// Following error, `60F4:00`: UNSIGNED64, rw, mapping not stated.
 ///
 /// Manual: 3 L5.
 #[doc(alias = "60F4")]
-pub const FOLLOWING_ERROR: Object<u64, Rw, MapNotStated, Raw> = Object::new(0x60F4, 0x00);
+pub const FOLLOWING_ERROR: Object<u64, Rw, MapNotStated, Raw> = object(0x60F4, 0x00);

@@ -5,20 +5,21 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 8] = [
-    ObjectDesc::new(Address::new(0x1A00, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "Number of entries").default_int(2),
-    ObjectDesc::new(Address::new(0x1A00, 0x01), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Mapping"),
-    ObjectDesc::new(Address::new(0x1A00, 0x02), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Mapping"),
-    ObjectDesc::new(Address::new(0x3000, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Highest sub-index").default_int(1),
-    ObjectDesc::new(Address::new(0x3000, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Gain"),
-    ObjectDesc::new(Address::new(0x6040, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Controlword"),
-    ObjectDesc::new(Address::new(0x607A, 0x00), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "Target position"),
-    ObjectDesc::new(Address::new(0x60F4, 0x00), DataType::UNSIGNED64, Access::Rw, Mapping::NotStated, "Following error"),
+    preset(0x1A00, 0x00, UNSIGNED8, RW, NOT_STATED, "Number of entries", NO_UNIT, 2),
+    entry(0x1A00, 0x01, UNSIGNED32, RW, NOT_STATED, "Mapping", NO_UNIT),
+    entry(0x1A00, 0x02, UNSIGNED32, RW, NOT_STATED, "Mapping", NO_UNIT),
+    preset(0x3000, 0x00, UNSIGNED8, RO, NOT_STATED, "Highest sub-index", NO_UNIT, 1),
+    entry(0x3000, 0x01, UNSIGNED16, RW, NOT_STATED, "Gain", NO_UNIT),
+    entry(0x6040, 0x00, UNSIGNED16, RW, NOT_STATED, "Controlword", NO_UNIT),
+    entry(0x607A, 0x00, INTEGER32, RW, NOT_STATED, "Target position", NO_UNIT),
+    entry(0x60F4, 0x00, UNSIGNED64, RW, NOT_STATED, "Following error", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

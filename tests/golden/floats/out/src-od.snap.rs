@@ -4,16 +4,17 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Single, `2000:00`: REAL32, rw, TxPDO.
 ///
 /// In degC.
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const SINGLE: Object<f32, Rw, Tx, Temperature> = Object::new(0x2000, 0x00);
+pub const SINGLE: Object<f32, Rw, Tx, Temperature> = object(0x2000, 0x00);
 
 /// Double, `2001:00`: REAL64, ro, mapping not stated.
 ///
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const DOUBLE: Object<f64, Ro, MapNotStated, Raw> = Object::new(0x2001, 0x00);
+pub const DOUBLE: Object<f64, Ro, MapNotStated, Raw> = object(0x2001, 0x00);

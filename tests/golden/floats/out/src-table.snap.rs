@@ -5,16 +5,17 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 1] = [
     UnitDesc::new("degC", QuantityKind::Temperature, 1, 1),
 ];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 2] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::REAL32, Access::Rw, Mapping::Tx, "Single").unit(0),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::REAL64, Access::Ro, Mapping::NotStated, "Double"),
+    entry(0x2000, 0x00, REAL32, RW, TX, "Single", 0),
+    entry(0x2001, 0x00, REAL64, RO, NOT_STATED, "Double", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

@@ -9,7 +9,7 @@ use drivewright_runtime::prelude::*;
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 0] = [];
 
 /// Entries that take listed values only, by address.

@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Quote " and \\ backslash, `2000:00`: UNSIGNED16, rw, mapping not stated.
 ///
@@ -12,49 +13,48 @@ use drivewright_runtime::prelude::*;
 ///
 /// Erratum E"1, type: printed "u16", kept. \*/ \[1018\] &lt;x&gt; \| \`y\`
 #[doc(alias = "2000")]
-pub const QUOTE_AND_BACKSLASH: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const QUOTE_AND_BACKSLASH: Object<u16, Rw, MapNotStated, Raw> = object(0x2000, 0x00);
 
 /// \[6040\], `2001:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// ObjectType=0x7; DefaultValue=1
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const SECTION: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00);
+pub const SECTION: Object<u16, Rw, MapNotStated, Raw> = object(0x2001, 0x00);
 
 /// a \*/ // b \#}, `2002:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
-pub const A_B: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2002, 0x00);
+pub const A_B: Object<u16, Rw, MapNotStated, Raw> = object(0x2002, 0x00);
 
 /// &lt;script&gt;alert(1)&lt;/script&gt; &amp; co, `2003:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 2 L4.
 #[doc(alias = "2003")]
-pub const SCRIPT_ALERT_1_SCRIPT_CO: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2003, 0x00);
+pub const SCRIPT_ALERT_1_SCRIPT_CO: Object<u16, Rw, MapNotStated, Raw> = object(0x2003, 0x00);
 
 /// {{ minijinja }} {% raw %} \${x} %s, `2004:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 2 L5.
 #[doc(alias = "2004")]
-pub const MINIJINJA_RAW_X_S: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2004, 0x00);
+pub const MINIJINJA_RAW_X_S: Object<u16, Rw, MapNotStated, Raw> = object(0x2004, 0x00);
 
 /// \`code\` \*bold\* \_it\_ \[link\](http\://x) \| cell \|, `2005:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 2 L6.
 #[doc(alias = "2005")]
-pub const CODE_BOLD_IT_LINK_HTTP_X_CELL: Object<u16, Rw, MapNotStated, Raw> =
-    Object::new(0x2005, 0x00);
+pub const CODE_BOLD_IT_LINK_HTTP_X_CELL: Object<u16, Rw, MapNotStated, Raw> = object(0x2005, 0x00);
 
 /// =cmd; comment, `2006:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 2 L7.
 #[doc(alias = "2006")]
-pub const CMD_COMMENT: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2006, 0x00);
+pub const CMD_COMMENT: Object<u16, Rw, MapNotStated, Raw> = object(0x2006, 0x00);
 
 /// Text, `2007:00`: VISIBLE_STRING, ro, mapping not stated.
 ///
 /// Default ""; \[1000\] \\n \\u{41} \*/".
 /// Manual: 2 L8.
 #[doc(alias = "2007")]
-pub const TEXT: Object<VisibleString, Ro, MapNotStated, Raw> = Object::new(0x2007, 0x00);
+pub const TEXT: Object<VisibleString, Ro, MapNotStated, Raw> = object(0x2007, 0x00);

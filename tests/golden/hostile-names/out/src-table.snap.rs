@@ -5,20 +5,21 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 8] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Quote \" and \\ backslash"),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "[6040]"),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "a */ // b #}"),
-    ObjectDesc::new(Address::new(0x2003, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "<script>alert(1)</script> & co"),
-    ObjectDesc::new(Address::new(0x2004, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "{{ minijinja }} {% raw %} ${x} %s"),
-    ObjectDesc::new(Address::new(0x2005, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "`code` *bold* _it_ [link](http://x) | cell |"),
-    ObjectDesc::new(Address::new(0x2006, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "=cmd; comment"),
-    ObjectDesc::new(Address::new(0x2007, 0x00), DataType::VISIBLE_STRING, Access::Ro, Mapping::NotStated, "Text"),
+    entry(0x2000, 0x00, UNSIGNED16, RW, NOT_STATED, "Quote \" and \\ backslash", NO_UNIT),
+    entry(0x2001, 0x00, UNSIGNED16, RW, NOT_STATED, "[6040]", NO_UNIT),
+    entry(0x2002, 0x00, UNSIGNED16, RW, NOT_STATED, "a */ // b #}", NO_UNIT),
+    entry(0x2003, 0x00, UNSIGNED16, RW, NOT_STATED, "<script>alert(1)</script> & co", NO_UNIT),
+    entry(0x2004, 0x00, UNSIGNED16, RW, NOT_STATED, "{{ minijinja }} {% raw %} ${x} %s", NO_UNIT),
+    entry(0x2005, 0x00, UNSIGNED16, RW, NOT_STATED, "`code` *bold* _it_ [link](http://x) | cell |", NO_UNIT),
+    entry(0x2006, 0x00, UNSIGNED16, RW, NOT_STATED, "=cmd; comment", NO_UNIT),
+    entry(0x2007, 0x00, VISIBLE_STRING, RO, NOT_STATED, "Text", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

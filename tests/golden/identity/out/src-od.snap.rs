@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Device type, `1000:00`: UNSIGNED32, ro, mapping not stated.
 ///
@@ -14,7 +15,7 @@ use drivewright_runtime::prelude::*;
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1000")]
-pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1000, 0x00);
+pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = object(0x1000, 0x00);
 
 /// Manufacturer device name, `1008:00`: VISIBLE_STRING, const, mapping not stated.
 ///
@@ -25,7 +26,7 @@ pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1000, 
 /// The access is standard: cia301.
 #[doc(alias = "1008")]
 pub const MANUFACTURER_DEVICE_NAME: Object<VisibleString, Const, MapNotStated, Raw> =
-    Object::new(0x1008, 0x00);
+    object(0x1008, 0x00);
 
 // 1018h Identity object
 
@@ -38,7 +39,7 @@ pub const MANUFACTURER_DEVICE_NAME: Object<VisibleString, Const, MapNotStated, R
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1018")]
-pub const IDENTITY_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x00);
+pub const IDENTITY_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = object(0x1018, 0x00);
 
 /// Vendor-ID, `1018:01`: UNSIGNED32, ro, mapping not stated.
 ///
@@ -49,7 +50,7 @@ pub const IDENTITY_HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1018")]
-pub const VENDOR_ID: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x01);
+pub const VENDOR_ID: Object<u32, Ro, MapNotStated, Raw> = object(0x1018, 0x01);
 
 /// Product code, `1018:02`: UNSIGNED32, ro, mapping not stated.
 ///
@@ -59,7 +60,7 @@ pub const VENDOR_ID: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1018")]
-pub const PRODUCT_CODE: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x02);
+pub const PRODUCT_CODE: Object<u32, Ro, MapNotStated, Raw> = object(0x1018, 0x02);
 
 /// Revision number, `1018:03`: UNSIGNED32, ro, mapping not stated.
 ///
@@ -69,7 +70,7 @@ pub const PRODUCT_CODE: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018,
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1018")]
-pub const REVISION_NUMBER: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x03);
+pub const REVISION_NUMBER: Object<u32, Ro, MapNotStated, Raw> = object(0x1018, 0x03);
 
 /// Serial number, `1018:04`: UNSIGNED32, ro, mapping not stated.
 ///
@@ -77,4 +78,4 @@ pub const REVISION_NUMBER: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x10
 /// The type is standard: cia301.
 /// The access is standard: cia301.
 #[doc(alias = "1018")]
-pub const SERIAL_NUMBER: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x04);
+pub const SERIAL_NUMBER: Object<u32, Ro, MapNotStated, Raw> = object(0x1018, 0x04);

@@ -5,19 +5,20 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 7] = [
-    ObjectDesc::new(Address::new(0x1000, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Device type").default_int(0x0002_0192),
-    ObjectDesc::new(Address::new(0x1008, 0x00), DataType::VISIBLE_STRING, Access::Const, Mapping::NotStated, "Manufacturer device name"),
-    ObjectDesc::new(Address::new(0x1018, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Highest sub-index supported").default_int(4),
-    ObjectDesc::new(Address::new(0x1018, 0x01), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Vendor-ID").default_int(0xFFFF_FFFF),
-    ObjectDesc::new(Address::new(0x1018, 0x02), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Product code").default_int(0x5344_4533),
-    ObjectDesc::new(Address::new(0x1018, 0x03), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Revision number").default_int(0x0010_0010),
-    ObjectDesc::new(Address::new(0x1018, 0x04), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Serial number"),
+    preset(0x1000, 0x00, UNSIGNED32, RO, NOT_STATED, "Device type", NO_UNIT, 0x0002_0192),
+    entry(0x1008, 0x00, VISIBLE_STRING, CONST, NOT_STATED, "Manufacturer device name", NO_UNIT),
+    preset(0x1018, 0x00, UNSIGNED8, RO, NOT_STATED, "Highest sub-index supported", NO_UNIT, 4),
+    preset(0x1018, 0x01, UNSIGNED32, RO, NOT_STATED, "Vendor-ID", NO_UNIT, 0xFFFF_FFFF),
+    preset(0x1018, 0x02, UNSIGNED32, RO, NOT_STATED, "Product code", NO_UNIT, 0x5344_4533),
+    preset(0x1018, 0x03, UNSIGNED32, RO, NOT_STATED, "Revision number", NO_UNIT, 0x0010_0010),
+    entry(0x1018, 0x04, UNSIGNED32, RO, NOT_STATED, "Serial number", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

@@ -4,24 +4,25 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// I64, `2000:00`: INTEGER64, rw, mapping not stated.
 ///
 /// -9223372036854775808 to 9223372036854775807; default -9007199254740992.
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const I64: Object<i64, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const I64: Object<i64, Rw, MapNotStated, Raw> = object(0x2000, 0x00);
 
 /// U64, `2001:00`: UNSIGNED64, rw, mapping not stated.
 ///
 /// 0 to 18446744073709551615; only 9007199254740991, 9007199254740992, 18446744073709551615; default 9007199254740992.
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const U64: Object<u64, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00).at_least(0);
+pub const U64: Object<u64, Rw, MapNotStated, Raw> = object(0x2001, 0x00).at_least(0);
 
 /// Upper half, `2002:00`: UNSIGNED64, rw, mapping not stated.
 ///
 /// 9223372036854775809 to 9223372036854775810.
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
-pub const UPPER_HALF: Object<u64, Rw, MapNotStated, Raw> = Object::new(0x2002, 0x00);
+pub const UPPER_HALF: Object<u64, Rw, MapNotStated, Raw> = object(0x2002, 0x00);

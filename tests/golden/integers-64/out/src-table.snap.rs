@@ -5,15 +5,16 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 3] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::INTEGER64, Access::Rw, Mapping::NotStated, "I64").range(-9_223_372_036_854_775_808, 9_223_372_036_854_775_807).default_int(-9_007_199_254_740_992),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::UNSIGNED64, Access::Rw, Mapping::NotStated, "U64").range(0, -1).default_int(9_007_199_254_740_992),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::UNSIGNED64, Access::Rw, Mapping::NotStated, "Upper half").range(-9_223_372_036_854_775_807, -9_223_372_036_854_775_806),
+    full(0x2000, 0x00, INTEGER64, RW, NOT_STATED, "I64", NO_UNIT, -9_223_372_036_854_775_808, 9_223_372_036_854_775_807, -9_007_199_254_740_992),
+    full(0x2001, 0x00, UNSIGNED64, RW, NOT_STATED, "U64", NO_UNIT, 0, -1, 9_007_199_254_740_992),
+    limited(0x2002, 0x00, UNSIGNED64, RW, NOT_STATED, "Upper half", NO_UNIT, -9_223_372_036_854_775_807, -9_223_372_036_854_775_806),
 ];
 
 /// Entries that take listed values only, by address.

@@ -4,14 +4,14 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// I24, `2000:00`: INTEGER24, rw, mapping not stated.
 ///
 /// -8388608 to 8388607; default -1.
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const I24: Object<I24, Rw, MapNotStated, Raw> =
-    Object::new(0x2000, 0x00).range(-8_388_608, 8_388_607);
+pub const I24: Object<I24, Rw, MapNotStated, Raw> = ranged(0x2000, 0x00, -8_388_608, 8_388_607);
 
 /// I40, `2001:00`: INTEGER40, rw, mapping not stated.
 ///
@@ -19,7 +19,7 @@ pub const I24: Object<I24, Rw, MapNotStated, Raw> =
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
 pub const I40: Object<I40, Rw, MapNotStated, Raw> =
-    Object::new(0x2001, 0x00).range(-549_755_813_888, 549_755_813_887);
+    ranged(0x2001, 0x00, -549_755_813_888, 549_755_813_887);
 
 /// I48, `2002:00`: INTEGER48, rw, mapping not stated.
 ///
@@ -27,7 +27,7 @@ pub const I40: Object<I40, Rw, MapNotStated, Raw> =
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
 pub const I48: Object<I48, Rw, MapNotStated, Raw> =
-    Object::new(0x2002, 0x00).range(-140_737_488_355_328, 140_737_488_355_327);
+    ranged(0x2002, 0x00, -140_737_488_355_328, 140_737_488_355_327);
 
 /// I56, `2003:00`: INTEGER56, rw, mapping not stated.
 ///
@@ -35,22 +35,21 @@ pub const I48: Object<I48, Rw, MapNotStated, Raw> =
 /// Manual: 2 L4.
 #[doc(alias = "2003")]
 pub const I56: Object<I56, Rw, MapNotStated, Raw> =
-    Object::new(0x2003, 0x00).range(-36_028_797_018_963_968, 36_028_797_018_963_967);
+    ranged(0x2003, 0x00, -36_028_797_018_963_968, 36_028_797_018_963_967);
 
 /// U24, `2004:00`: UNSIGNED24, rw, mapping not stated.
 ///
 /// At most 16777215; default 16777215.
 /// Manual: 2 L5.
 #[doc(alias = "2004")]
-pub const U24: Object<U24, Rw, MapNotStated, Raw> = Object::new(0x2004, 0x00).at_most(16_777_215);
+pub const U24: Object<U24, Rw, MapNotStated, Raw> = object(0x2004, 0x00).at_most(16_777_215);
 
 /// U40, `2005:00`: UNSIGNED40, rw, mapping not stated.
 ///
 /// At most 1099511627775; default 1099511627775.
 /// Manual: 2 L6.
 #[doc(alias = "2005")]
-pub const U40: Object<U40, Rw, MapNotStated, Raw> =
-    Object::new(0x2005, 0x00).at_most(1_099_511_627_775);
+pub const U40: Object<U40, Rw, MapNotStated, Raw> = object(0x2005, 0x00).at_most(1_099_511_627_775);
 
 /// U48, `2006:00`: UNSIGNED48, rw, mapping not stated.
 ///
@@ -58,7 +57,7 @@ pub const U40: Object<U40, Rw, MapNotStated, Raw> =
 /// Manual: 2 L7.
 #[doc(alias = "2006")]
 pub const U48: Object<U48, Rw, MapNotStated, Raw> =
-    Object::new(0x2006, 0x00).at_most(281_474_976_710_655);
+    object(0x2006, 0x00).at_most(281_474_976_710_655);
 
 /// U56, `2007:00`: UNSIGNED56, rw, mapping not stated.
 ///
@@ -66,4 +65,4 @@ pub const U48: Object<U48, Rw, MapNotStated, Raw> =
 /// Manual: 2 L8.
 #[doc(alias = "2007")]
 pub const U56: Object<U56, Rw, MapNotStated, Raw> =
-    Object::new(0x2007, 0x00).at_most(72_057_594_037_927_935);
+    object(0x2007, 0x00).at_most(72_057_594_037_927_935);

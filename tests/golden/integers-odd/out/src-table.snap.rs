@@ -5,20 +5,21 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 8] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::INTEGER24, Access::Rw, Mapping::NotStated, "I24").range(-8_388_608, 8_388_607).default_int(-1),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::INTEGER40, Access::Rw, Mapping::NotStated, "I40").range(-549_755_813_888, 549_755_813_887).default_int(-2),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::INTEGER48, Access::Rw, Mapping::NotStated, "I48").range(-140_737_488_355_328, 140_737_488_355_327).default_int(-3),
-    ObjectDesc::new(Address::new(0x2003, 0x00), DataType::INTEGER56, Access::Rw, Mapping::NotStated, "I56").range(-36_028_797_018_963_968, 36_028_797_018_963_967).default_int(-4),
-    ObjectDesc::new(Address::new(0x2004, 0x00), DataType::UNSIGNED24, Access::Rw, Mapping::NotStated, "U24").at_most(16_777_215).default_int(16_777_215),
-    ObjectDesc::new(Address::new(0x2005, 0x00), DataType::UNSIGNED40, Access::Rw, Mapping::NotStated, "U40").at_most(1_099_511_627_775).default_int(1_099_511_627_775),
-    ObjectDesc::new(Address::new(0x2006, 0x00), DataType::UNSIGNED48, Access::Rw, Mapping::NotStated, "U48").at_most(281_474_976_710_655).default_int(6),
-    ObjectDesc::new(Address::new(0x2007, 0x00), DataType::UNSIGNED56, Access::Rw, Mapping::NotStated, "U56").at_most(72_057_594_037_927_935).default_int(7),
+    full(0x2000, 0x00, INTEGER24, RW, NOT_STATED, "I24", NO_UNIT, -8_388_608, 8_388_607, -1),
+    full(0x2001, 0x00, INTEGER40, RW, NOT_STATED, "I40", NO_UNIT, -549_755_813_888, 549_755_813_887, -2),
+    full(0x2002, 0x00, INTEGER48, RW, NOT_STATED, "I48", NO_UNIT, -140_737_488_355_328, 140_737_488_355_327, -3),
+    full(0x2003, 0x00, INTEGER56, RW, NOT_STATED, "I56", NO_UNIT, -36_028_797_018_963_968, 36_028_797_018_963_967, -4),
+    preset(0x2004, 0x00, UNSIGNED24, RW, NOT_STATED, "U24", NO_UNIT, 16_777_215).at_most(16_777_215),
+    preset(0x2005, 0x00, UNSIGNED40, RW, NOT_STATED, "U40", NO_UNIT, 1_099_511_627_775).at_most(1_099_511_627_775),
+    preset(0x2006, 0x00, UNSIGNED48, RW, NOT_STATED, "U48", NO_UNIT, 6).at_most(281_474_976_710_655),
+    preset(0x2007, 0x00, UNSIGNED56, RW, NOT_STATED, "U56", NO_UNIT, 7).at_most(72_057_594_037_927_935),
 ];
 
 /// Entries that take listed values only, by address.

@@ -4,21 +4,21 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// I8, `2000:00`: INTEGER8, rw, mapping not stated.
 ///
 /// -128 to 127; default -128.
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const I8: Object<i8, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00).range(-128, 127);
+pub const I8: Object<i8, Rw, MapNotStated, Raw> = ranged(0x2000, 0x00, -128, 127);
 
 /// I16, `2001:00`: INTEGER16, rw, mapping not stated.
 ///
 /// -32768 to 32767; default -32768.
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const I16: Object<i16, Rw, MapNotStated, Raw> =
-    Object::new(0x2001, 0x00).range(-32_768, 32_767);
+pub const I16: Object<i16, Rw, MapNotStated, Raw> = ranged(0x2001, 0x00, -32_768, 32_767);
 
 /// I32, `2002:00`: INTEGER32, rw, mapping not stated.
 ///
@@ -26,26 +26,25 @@ pub const I16: Object<i16, Rw, MapNotStated, Raw> =
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
 pub const I32: Object<i32, Rw, MapNotStated, Raw> =
-    Object::new(0x2002, 0x00).range(-2_147_483_648, 2_147_483_647);
+    ranged(0x2002, 0x00, -2_147_483_648, 2_147_483_647);
 
 /// U8, `2003:00`: UNSIGNED8, rw, mapping not stated.
 ///
 /// 0 to 255; default 255.
 /// Manual: 2 L4.
 #[doc(alias = "2003")]
-pub const U8: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2003, 0x00).range(0, 255);
+pub const U8: Object<u8, Rw, MapNotStated, Raw> = ranged(0x2003, 0x00, 0, 255);
 
 /// U16, `2004:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// 0 to 65535; default 65535.
 /// Manual: 2 L5.
 #[doc(alias = "2004")]
-pub const U16: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2004, 0x00).range(0, 65_535);
+pub const U16: Object<u16, Rw, MapNotStated, Raw> = ranged(0x2004, 0x00, 0, 65_535);
 
 /// U32, `2005:00`: UNSIGNED32, rw, mapping not stated.
 ///
 /// 0 to 4294967295; default 4294967295.
 /// Manual: 2 L6.
 #[doc(alias = "2005")]
-pub const U32: Object<u32, Rw, MapNotStated, Raw> =
-    Object::new(0x2005, 0x00).range(0, 4_294_967_295);
+pub const U32: Object<u32, Rw, MapNotStated, Raw> = ranged(0x2005, 0x00, 0, 4_294_967_295);

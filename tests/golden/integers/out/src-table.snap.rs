@@ -5,18 +5,19 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 6] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::INTEGER8, Access::Rw, Mapping::NotStated, "I8").range(-128, 127).default_int(-128),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::INTEGER16, Access::Rw, Mapping::NotStated, "I16").range(-32_768, 32_767).default_int(-32_768),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "I32").range(-2_147_483_648, 2_147_483_647).default_int(-2_147_483_648),
-    ObjectDesc::new(Address::new(0x2003, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "U8").range(0, 255).default_int(255),
-    ObjectDesc::new(Address::new(0x2004, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "U16").range(0, 65_535).default_int(65_535),
-    ObjectDesc::new(Address::new(0x2005, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "U32").range(0, 4_294_967_295).default_int(4_294_967_295),
+    full(0x2000, 0x00, INTEGER8, RW, NOT_STATED, "I8", NO_UNIT, -128, 127, -128),
+    full(0x2001, 0x00, INTEGER16, RW, NOT_STATED, "I16", NO_UNIT, -32_768, 32_767, -32_768),
+    full(0x2002, 0x00, INTEGER32, RW, NOT_STATED, "I32", NO_UNIT, -2_147_483_648, 2_147_483_647, -2_147_483_648),
+    full(0x2003, 0x00, UNSIGNED8, RW, NOT_STATED, "U8", NO_UNIT, 0, 255, 255),
+    full(0x2004, 0x00, UNSIGNED16, RW, NOT_STATED, "U16", NO_UNIT, 0, 65_535, 65_535),
+    full(0x2005, 0x00, UNSIGNED32, RW, NOT_STATED, "U32", NO_UNIT, 0, 4_294_967_295, 4_294_967_295),
 ];
 
 /// Entries that take listed values only, by address.

@@ -5,45 +5,46 @@
 
 use super::{bits, enums};
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// type, `2000:00`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const TYPE: Object<enums::Match, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const TYPE: Object<enums::Match, Rw, MapNotStated, Raw> = object(0x2000, 0x00);
 
 /// gen, `2001:00`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const GEN: Object<bits::Impl, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00);
+pub const GEN: Object<bits::Impl, Rw, MapNotStated, Raw> = object(0x2001, 0x00);
 
 /// self, `2002:00`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
-pub const SELF: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2002, 0x00);
+pub const SELF: Object<u8, Rw, MapNotStated, Raw> = object(0x2002, 0x00);
 
 /// super, `2003:00`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Manual: 2 L4.
 #[doc(alias = "2003")]
-pub const SUPER: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2003, 0x00);
+pub const SUPER: Object<u8, Rw, MapNotStated, Raw> = object(0x2003, 0x00);
 
 /// crate, `2004:00`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Manual: 2 L5.
 #[doc(alias = "2004")]
-pub const CRATE: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2004, 0x00);
+pub const CRATE: Object<u8, Rw, MapNotStated, Raw> = object(0x2004, 0x00);
 
 /// async, `2005:00`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Manual: 2 L6.
 #[doc(alias = "2005")]
-pub const ASYNC: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2005, 0x00);
+pub const ASYNC: Object<u8, Rw, MapNotStated, Raw> = object(0x2005, 0x00);
 
 /// union, `2006:00`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Manual: 2 L7.
 #[doc(alias = "2006")]
-pub const UNION: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2006, 0x00);
+pub const UNION: Object<u8, Rw, MapNotStated, Raw> = object(0x2006, 0x00);

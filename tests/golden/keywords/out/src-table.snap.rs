@@ -5,19 +5,20 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 7] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "type").values(0),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "gen").bits(0),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "self"),
-    ObjectDesc::new(Address::new(0x2003, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "super"),
-    ObjectDesc::new(Address::new(0x2004, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "crate"),
-    ObjectDesc::new(Address::new(0x2005, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "async"),
-    ObjectDesc::new(Address::new(0x2006, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "union"),
+    entry(0x2000, 0x00, UNSIGNED8, RW, NOT_STATED, "type", NO_UNIT).values(0),
+    entry(0x2001, 0x00, UNSIGNED8, RW, NOT_STATED, "gen", NO_UNIT).bits(0),
+    entry(0x2002, 0x00, UNSIGNED8, RW, NOT_STATED, "self", NO_UNIT),
+    entry(0x2003, 0x00, UNSIGNED8, RW, NOT_STATED, "super", NO_UNIT),
+    entry(0x2004, 0x00, UNSIGNED8, RW, NOT_STATED, "crate", NO_UNIT),
+    entry(0x2005, 0x00, UNSIGNED8, RW, NOT_STATED, "async", NO_UNIT),
+    entry(0x2006, 0x00, UNSIGNED8, RW, NOT_STATED, "union", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

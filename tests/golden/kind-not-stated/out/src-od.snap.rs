@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 // 2030h Count of offsets
 
@@ -13,19 +14,19 @@ use drivewright_runtime::prelude::*;
 /// Default 2.
 /// Manual: 2 L1.
 #[doc(alias = "2030")]
-pub const COUNT_OF_OFFSETS: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x2030, 0x00);
+pub const COUNT_OF_OFFSETS: Object<u8, Ro, MapNotStated, Raw> = object(0x2030, 0x00);
 
 /// Offset A, `2030:01`: INTEGER16, rw, mapping not stated.
 ///
 /// Manual: 2 L2.
 #[doc(alias = "2030")]
-pub const OFFSET_A: Object<i16, Rw, MapNotStated, Raw> = Object::new(0x2030, 0x01);
+pub const OFFSET_A: Object<i16, Rw, MapNotStated, Raw> = object(0x2030, 0x01);
 
 /// Offset B, `2030:02`: INTEGER16, rw, mapping not stated.
 ///
 /// Manual: 2 L3.
 #[doc(alias = "2030")]
-pub const OFFSET_B: Object<i16, Rw, MapNotStated, Raw> = Object::new(0x2030, 0x02);
+pub const OFFSET_B: Object<i16, Rw, MapNotStated, Raw> = object(0x2030, 0x02);
 
 // 2031h Count of values
 
@@ -35,16 +36,16 @@ pub const OFFSET_B: Object<i16, Rw, MapNotStated, Raw> = Object::new(0x2030, 0x0
 /// Default 2.
 /// Manual: 2 L4.
 #[doc(alias = "2031")]
-pub const COUNT_OF_VALUES: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x2031, 0x00);
+pub const COUNT_OF_VALUES: Object<u8, Ro, MapNotStated, Raw> = object(0x2031, 0x00);
 
 /// Value A, `2031:01`: INTEGER16, rw, mapping not stated.
 ///
 /// Manual: 2 L5.
 #[doc(alias = "2031")]
-pub const VALUE_A: Object<i16, Rw, MapNotStated, Raw> = Object::new(0x2031, 0x01);
+pub const VALUE_A: Object<i16, Rw, MapNotStated, Raw> = object(0x2031, 0x01);
 
 /// Value B, `2031:02`: INTEGER32, rw, mapping not stated.
 ///
 /// Manual: 2 L6.
 #[doc(alias = "2031")]
-pub const VALUE_B: Object<i32, Rw, MapNotStated, Raw> = Object::new(0x2031, 0x02);
+pub const VALUE_B: Object<i32, Rw, MapNotStated, Raw> = object(0x2031, 0x02);

@@ -5,18 +5,19 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 6] = [
-    ObjectDesc::new(Address::new(0x2030, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Count of offsets").default_int(2),
-    ObjectDesc::new(Address::new(0x2030, 0x01), DataType::INTEGER16, Access::Rw, Mapping::NotStated, "Offset A"),
-    ObjectDesc::new(Address::new(0x2030, 0x02), DataType::INTEGER16, Access::Rw, Mapping::NotStated, "Offset B"),
-    ObjectDesc::new(Address::new(0x2031, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Count of values").default_int(2),
-    ObjectDesc::new(Address::new(0x2031, 0x01), DataType::INTEGER16, Access::Rw, Mapping::NotStated, "Value A"),
-    ObjectDesc::new(Address::new(0x2031, 0x02), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "Value B"),
+    preset(0x2030, 0x00, UNSIGNED8, RO, NOT_STATED, "Count of offsets", NO_UNIT, 2),
+    entry(0x2030, 0x01, INTEGER16, RW, NOT_STATED, "Offset A", NO_UNIT),
+    entry(0x2030, 0x02, INTEGER16, RW, NOT_STATED, "Offset B", NO_UNIT),
+    preset(0x2031, 0x00, UNSIGNED8, RO, NOT_STATED, "Count of values", NO_UNIT, 2),
+    entry(0x2031, 0x01, INTEGER16, RW, NOT_STATED, "Value A", NO_UNIT),
+    entry(0x2031, 0x02, INTEGER32, RW, NOT_STATED, "Value B", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Only below zero, `2000:00`: INTEGER32, rw, mapping not stated.
 ///
@@ -11,20 +12,18 @@ use drivewright_runtime::prelude::*;
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
 pub const ONLY_BELOW_ZERO: Object<i32, Rw, MapNotStated, Raw> =
-    Object::new(0x2000, 0x00).range(-2_000_000_000, -1);
+    ranged(0x2000, 0x00, -2_000_000_000, -1);
 
 /// Only a minimum, `2001:00`: INTEGER16, rw, mapping not stated.
 ///
 /// At least -1.
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const ONLY_A_MINIMUM: Object<i16, Rw, MapNotStated, Raw> =
-    Object::new(0x2001, 0x00).at_least(-1);
+pub const ONLY_A_MINIMUM: Object<i16, Rw, MapNotStated, Raw> = object(0x2001, 0x00).at_least(-1);
 
 /// Only a maximum, `2002:00`: INTEGER16, rw, mapping not stated.
 ///
 /// At most -1; default -32768.
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
-pub const ONLY_A_MAXIMUM: Object<i16, Rw, MapNotStated, Raw> =
-    Object::new(0x2002, 0x00).at_most(-1);
+pub const ONLY_A_MAXIMUM: Object<i16, Rw, MapNotStated, Raw> = object(0x2002, 0x00).at_most(-1);

@@ -5,15 +5,16 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 3] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "Only below zero").range(-2_000_000_000, -1).default_int(-5),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::INTEGER16, Access::Rw, Mapping::NotStated, "Only a minimum").at_least(-1),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::INTEGER16, Access::Rw, Mapping::NotStated, "Only a maximum").at_most(-1).default_int(-32_768),
+    full(0x2000, 0x00, INTEGER32, RW, NOT_STATED, "Only below zero", NO_UNIT, -2_000_000_000, -1, -5),
+    entry(0x2001, 0x00, INTEGER16, RW, NOT_STATED, "Only a minimum", NO_UNIT).at_least(-1),
+    preset(0x2002, 0x00, INTEGER16, RW, NOT_STATED, "Only a maximum", NO_UNIT, -32_768).at_most(-1),
 ];
 
 /// Entries that take listed values only, by address.

@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Speed of the motor at the shaft before the gear Speed of the motor at the shaft before the gear Speed of the motor at the shaft before the gear Speed of the motor at the shaft before the gear end, `2000:00`: UNSIGNED16, rw, mapping not stated.
 ///
@@ -11,4 +12,4 @@ use drivewright_runtime::prelude::*;
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
 pub const SPEED_OF_THE_MOTOR_AT_THE_SHAFT_BEFORE_THE_GEAR_SPEED_OF_THE_MOTOR_AT_THE_SHAFT_BEFORE_THE_GEAR_SPEED_OF_THE_MOTOR_AT_THE_SHAFT_BEFORE_THE_GEAR_SPEED_OF_THE_MOTOR_AT_THE_SHAFT_BEFORE_THE_GEAR_END: Object<u16, Rw, MapNotStated, Raw> =
-    Object::new(0x2000, 0x00);
+    object(0x2000, 0x00);

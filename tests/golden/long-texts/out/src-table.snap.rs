@@ -5,13 +5,14 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 1] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Speed of the motor at the shaft before the gear Speed of the motor at the shaft before the gear Speed of the motor at the shaft before the gear Speed of the motor at the shaft before the gear end"),
+    entry(0x2000, 0x00, UNSIGNED16, RW, NOT_STATED, "Speed of the motor at the shaft before the gear Speed of the motor at the shaft before the gear Speed of the motor at the shaft before the gear Speed of the motor at the shaft before the gear end", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

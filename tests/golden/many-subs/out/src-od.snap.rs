@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 // 2040h Table
 
@@ -13,16 +14,16 @@ use drivewright_runtime::prelude::*;
 /// Default 254.
 /// Manual: 2 L2.
 #[doc(alias = "2040")]
-pub const ENTRIES: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x2040, 0x00);
+pub const ENTRIES: Object<u8, Ro, MapNotStated, Raw> = object(0x2040, 0x00);
 
 /// First, `2040:01`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Manual: 2 L3.
 #[doc(alias = "2040")]
-pub const FIRST: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2040, 0x01);
+pub const FIRST: Object<u8, Rw, MapNotStated, Raw> = object(0x2040, 0x01);
 
 /// Last, `2040:FE`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Manual: 2 L4.
 #[doc(alias = "2040")]
-pub const LAST: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2040, 0xFE);
+pub const LAST: Object<u8, Rw, MapNotStated, Raw> = object(0x2040, 0xFE);

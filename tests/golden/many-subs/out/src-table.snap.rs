@@ -5,15 +5,16 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 3] = [
-    ObjectDesc::new(Address::new(0x2040, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Entries").default_int(254),
-    ObjectDesc::new(Address::new(0x2040, 0x01), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "First"),
-    ObjectDesc::new(Address::new(0x2040, 0xFE), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "Last"),
+    preset(0x2040, 0x00, UNSIGNED8, RO, NOT_STATED, "Entries", NO_UNIT, 254),
+    entry(0x2040, 0x01, UNSIGNED8, RW, NOT_STATED, "First", NO_UNIT),
+    entry(0x2040, 0xFE, UNSIGNED8, RW, NOT_STATED, "Last", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

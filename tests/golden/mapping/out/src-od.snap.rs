@@ -4,33 +4,34 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Not said, `2000:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const NOT_SAID: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const NOT_SAID: Object<u16, Rw, MapNotStated, Raw> = object(0x2000, 0x00);
 
 /// Not mapped, `2001:00`: UNSIGNED16, rw, not mapped.
 ///
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const NOT_MAPPED: Object<u16, Rw, Unmapped, Raw> = Object::new(0x2001, 0x00);
+pub const NOT_MAPPED: Object<u16, Rw, Unmapped, Raw> = object(0x2001, 0x00);
 
 /// Received, `2002:00`: UNSIGNED16, rw, RxPDO.
 ///
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
-pub const RECEIVED: Object<u16, Rw, Rx, Raw> = Object::new(0x2002, 0x00);
+pub const RECEIVED: Object<u16, Rw, Rx, Raw> = object(0x2002, 0x00);
 
 /// Sent, `2003:00`: UNSIGNED16, ro, TxPDO.
 ///
 /// Manual: 2 L4.
 #[doc(alias = "2003")]
-pub const SENT: Object<u16, Ro, Tx, Raw> = Object::new(0x2003, 0x00);
+pub const SENT: Object<u16, Ro, Tx, Raw> = object(0x2003, 0x00);
 
 /// Both, `2004:00`: UNSIGNED16, rw, RxPDO and TxPDO.
 ///
 /// Manual: 2 L5.
 #[doc(alias = "2004")]
-pub const BOTH: Object<u16, Rw, RxTx, Raw> = Object::new(0x2004, 0x00);
+pub const BOTH: Object<u16, Rw, RxTx, Raw> = object(0x2004, 0x00);

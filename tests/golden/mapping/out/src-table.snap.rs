@@ -5,17 +5,18 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 5] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Not said"),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Not mapped"),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::Rx, "Received"),
-    ObjectDesc::new(Address::new(0x2003, 0x00), DataType::UNSIGNED16, Access::Ro, Mapping::Tx, "Sent"),
-    ObjectDesc::new(Address::new(0x2004, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::RxTx, "Both"),
+    entry(0x2000, 0x00, UNSIGNED16, RW, NOT_STATED, "Not said", NO_UNIT),
+    entry(0x2001, 0x00, UNSIGNED16, RW, UNMAPPED, "Not mapped", NO_UNIT),
+    entry(0x2002, 0x00, UNSIGNED16, RW, RX, "Received", NO_UNIT),
+    entry(0x2003, 0x00, UNSIGNED16, RO, TX, "Sent", NO_UNIT),
+    entry(0x2004, 0x00, UNSIGNED16, RW, RX_TX, "Both", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

@@ -4,15 +4,16 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Controlword, `6040:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 4 L1.
 #[doc(alias = "6040")]
-pub const CONTROLWORD: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x6040, 0x00);
+pub const CONTROLWORD: Object<u16, Rw, MapNotStated, Raw> = object(0x6040, 0x00);
 
 /// Target position, `607A:00`: INTEGER32, rw, mapping not stated.
 ///
 /// Manual: 4 L2.
 #[doc(alias = "607A")]
-pub const TARGET_POSITION: Object<i32, Rw, MapNotStated, Raw> = Object::new(0x607A, 0x00);
+pub const TARGET_POSITION: Object<i32, Rw, MapNotStated, Raw> = object(0x607A, 0x00);

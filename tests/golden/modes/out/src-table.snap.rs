@@ -5,14 +5,15 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 2] = [
-    ObjectDesc::new(Address::new(0x6040, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Controlword"),
-    ObjectDesc::new(Address::new(0x607A, 0x00), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "Target position"),
+    entry(0x6040, 0x00, UNSIGNED16, RW, NOT_STATED, "Controlword", NO_UNIT),
+    entry(0x607A, 0x00, INTEGER32, RW, NOT_STATED, "Target position", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

@@ -4,27 +4,28 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Hex, `2000:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// At most 65535; default 255.
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const HEX: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00).at_most(65_535);
+pub const HEX: Object<u16, Rw, MapNotStated, Raw> = object(0x2000, 0x00).at_most(65_535);
 
 /// Binary, `2001:00`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Default 165.
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const BINARY: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00);
+pub const BINARY: Object<u8, Rw, MapNotStated, Raw> = object(0x2001, 0x00);
 
 /// Octal, `2002:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Default 511.
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
-pub const OCTAL: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2002, 0x00);
+pub const OCTAL: Object<u16, Rw, MapNotStated, Raw> = object(0x2002, 0x00);
 
 /// Grouped, `2003:00`: INTEGER32, rw, mapping not stated.
 ///
@@ -32,7 +33,7 @@ pub const OCTAL: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2002, 0x00);
 /// Manual: 2 L4.
 #[doc(alias = "2003")]
 pub const GROUPED: Object<i32, Rw, MapNotStated, Raw> =
-    Object::new(0x2003, 0x00).range(-2_000_000_000, 2_000_000_000);
+    ranged(0x2003, 0x00, -2_000_000_000, 2_000_000_000);
 
 // 2ABCh Lower-case address
 
@@ -40,4 +41,4 @@ pub const GROUPED: Object<i32, Rw, MapNotStated, Raw> =
 ///
 /// Manual: 2 L5.
 #[doc(alias = "2ABC")]
-pub const LOWER_CASE_ADDRESS: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2ABC, 0x0D);
+pub const LOWER_CASE_ADDRESS: Object<u8, Rw, MapNotStated, Raw> = object(0x2ABC, 0x0D);

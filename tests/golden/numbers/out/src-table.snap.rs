@@ -5,17 +5,18 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 5] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Hex").at_most(65_535).default_int(255),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "Binary").default_int(165),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Octal").default_int(511),
-    ObjectDesc::new(Address::new(0x2003, 0x00), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "Grouped").range(-2_000_000_000, 2_000_000_000),
-    ObjectDesc::new(Address::new(0x2ABC, 0x0D), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "Lower-case address"),
+    preset(0x2000, 0x00, UNSIGNED16, RW, NOT_STATED, "Hex", NO_UNIT, 255).at_most(65_535),
+    preset(0x2001, 0x00, UNSIGNED8, RW, NOT_STATED, "Binary", NO_UNIT, 165),
+    preset(0x2002, 0x00, UNSIGNED16, RW, NOT_STATED, "Octal", NO_UNIT, 511),
+    limited(0x2003, 0x00, INTEGER32, RW, NOT_STATED, "Grouped", NO_UNIT, -2_000_000_000, 2_000_000_000),
+    entry(0x2ABC, 0x0D, UNSIGNED8, RW, NOT_STATED, "Lower-case address", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 // 3000h Group 0
 
@@ -13,7 +14,7 @@ use drivewright_runtime::prelude::*;
 /// Default 3.
 /// Manual: 6 L1.
 #[doc(alias = "3000")]
-pub const HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x3000, 0x00);
+pub const HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = object(0x3000, 0x00);
 
 /// Gain, `3000:01`: UNSIGNED16, rw, mapping not stated.
 ///
@@ -25,7 +26,7 @@ pub const HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x3
 /// Erratum E2, effect: printed "at once", used "at stop". 7 has the newer table.
 #[doc(alias = "3000")]
 #[doc(alias = "P0.01")]
-pub const GAIN: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x3000, 0x01);
+pub const GAIN: Object<u16, Rw, MapNotStated, Raw> = object(0x3000, 0x01);
 
 /// Direction, `3000:02`: UNSIGNED16, rw, mapping not stated.
 ///
@@ -33,11 +34,11 @@ pub const GAIN: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x3000, 0x01);
 /// Manual: 6 L3.
 #[doc(alias = "3000")]
 #[doc(alias = "P0.02")]
-pub const DIRECTION: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x3000, 0x02);
+pub const DIRECTION: Object<u16, Rw, MapNotStated, Raw> = object(0x3000, 0x02);
 
 /// Address, `3000:03`: UNSIGNED16, rw, mapping not stated.
 ///
 /// A new value takes effect **only after a power cycle**.
 /// Manual: 6 L4.
 #[doc(alias = "3000")]
-pub const ADDRESS: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x3000, 0x03);
+pub const ADDRESS: Object<u16, Rw, MapNotStated, Raw> = object(0x3000, 0x03);

@@ -5,16 +5,17 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 4] = [
-    ObjectDesc::new(Address::new(0x3000, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Highest sub-index").default_int(3),
-    ObjectDesc::new(Address::new(0x3000, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Gain"),
-    ObjectDesc::new(Address::new(0x3000, 0x02), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Direction"),
-    ObjectDesc::new(Address::new(0x3000, 0x03), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Address"),
+    preset(0x3000, 0x00, UNSIGNED8, RO, NOT_STATED, "Highest sub-index", NO_UNIT, 3),
+    entry(0x3000, 0x01, UNSIGNED16, RW, NOT_STATED, "Gain", NO_UNIT),
+    entry(0x3000, 0x02, UNSIGNED16, RW, NOT_STATED, "Direction", NO_UNIT),
+    entry(0x3000, 0x03, UNSIGNED16, RW, NOT_STATED, "Address", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

@@ -4,21 +4,22 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// A, `2000:00`: BOOLEAN, rw, RxPDO.
 ///
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const A: Object<bool, Rw, Rx, Raw> = Object::new(0x2000, 0x00);
+pub const A: Object<bool, Rw, Rx, Raw> = object(0x2000, 0x00);
 
 /// B, `2001:00`: BOOLEAN, rw, RxPDO.
 ///
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const B: Object<bool, Rw, Rx, Raw> = Object::new(0x2001, 0x00);
+pub const B: Object<bool, Rw, Rx, Raw> = object(0x2001, 0x00);
 
 /// Word, `2002:00`: UNSIGNED16, rw, RxPDO.
 ///
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
-pub const WORD: Object<u16, Rw, Rx, Raw> = Object::new(0x2002, 0x00);
+pub const WORD: Object<u16, Rw, Rx, Raw> = object(0x2002, 0x00);

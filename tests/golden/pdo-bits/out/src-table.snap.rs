@@ -5,15 +5,16 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 3] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::BOOLEAN, Access::Rw, Mapping::Rx, "A"),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::BOOLEAN, Access::Rw, Mapping::Rx, "B"),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::Rx, "Word"),
+    entry(0x2000, 0x00, BOOLEAN, RW, RX, "A", NO_UNIT),
+    entry(0x2001, 0x00, BOOLEAN, RW, RX, "B", NO_UNIT),
+    entry(0x2002, 0x00, UNSIGNED16, RW, RX, "Word", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

@@ -4,15 +4,16 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Control, `2000:00`: UNSIGNED16, rw, RxPDO.
 ///
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const CONTROL: Object<u16, Rw, Rx, Raw> = Object::new(0x2000, 0x00);
+pub const CONTROL: Object<u16, Rw, Rx, Raw> = object(0x2000, 0x00);
 
 /// Target, `2002:00`: INTEGER32, rw, RxPDO.
 ///
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
-pub const TARGET: Object<i32, Rw, Rx, Raw> = Object::new(0x2002, 0x00);
+pub const TARGET: Object<i32, Rw, Rx, Raw> = object(0x2002, 0x00);

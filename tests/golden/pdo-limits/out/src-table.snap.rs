@@ -5,14 +5,15 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 2] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::Rx, "Control"),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::INTEGER32, Access::Rw, Mapping::Rx, "Target"),
+    entry(0x2000, 0x00, UNSIGNED16, RW, RX, "Control", NO_UNIT),
+    entry(0x2002, 0x00, INTEGER32, RW, RX, "Target", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

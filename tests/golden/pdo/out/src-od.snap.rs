@@ -4,33 +4,34 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Control, `2000:00`: UNSIGNED16, rw, RxPDO.
 ///
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const CONTROL: Object<u16, Rw, Rx, Raw> = Object::new(0x2000, 0x00);
+pub const CONTROL: Object<u16, Rw, Rx, Raw> = object(0x2000, 0x00);
 
 /// Mode, `2001:00`: INTEGER8, rw, RxPDO and TxPDO.
 ///
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const MODE: Object<i8, Rw, RxTx, Raw> = Object::new(0x2001, 0x00);
+pub const MODE: Object<i8, Rw, RxTx, Raw> = object(0x2001, 0x00);
 
 /// Target, `2002:00`: INTEGER32, rw, RxPDO.
 ///
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
-pub const TARGET: Object<i32, Rw, Rx, Raw> = Object::new(0x2002, 0x00);
+pub const TARGET: Object<i32, Rw, Rx, Raw> = object(0x2002, 0x00);
 
 /// Status, `2003:00`: UNSIGNED16, ro, TxPDO.
 ///
 /// Manual: 2 L4.
 #[doc(alias = "2003")]
-pub const STATUS: Object<u16, Ro, Tx, Raw> = Object::new(0x2003, 0x00);
+pub const STATUS: Object<u16, Ro, Tx, Raw> = object(0x2003, 0x00);
 
 /// Odd, `2004:00`: INTEGER24, ro, TxPDO.
 ///
 /// Manual: 2 L5.
 #[doc(alias = "2004")]
-pub const ODD: Object<I24, Ro, Tx, Raw> = Object::new(0x2004, 0x00);
+pub const ODD: Object<I24, Ro, Tx, Raw> = object(0x2004, 0x00);

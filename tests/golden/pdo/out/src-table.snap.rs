@@ -5,17 +5,18 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 5] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::Rx, "Control"),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::INTEGER8, Access::Rw, Mapping::RxTx, "Mode"),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::INTEGER32, Access::Rw, Mapping::Rx, "Target"),
-    ObjectDesc::new(Address::new(0x2003, 0x00), DataType::UNSIGNED16, Access::Ro, Mapping::Tx, "Status"),
-    ObjectDesc::new(Address::new(0x2004, 0x00), DataType::INTEGER24, Access::Ro, Mapping::Tx, "Odd"),
+    entry(0x2000, 0x00, UNSIGNED16, RW, RX, "Control", NO_UNIT),
+    entry(0x2001, 0x00, INTEGER8, RW, RX_TX, "Mode", NO_UNIT),
+    entry(0x2002, 0x00, INTEGER32, RW, RX, "Target", NO_UNIT),
+    entry(0x2003, 0x00, UNSIGNED16, RO, TX, "Status", NO_UNIT),
+    entry(0x2004, 0x00, INTEGER24, RO, TX, "Odd", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 // 3000h Group 0
 
@@ -13,7 +14,7 @@ use drivewright_runtime::prelude::*;
 /// Default 5.
 /// Manual: 6 L1.
 #[doc(alias = "3000")]
-pub const HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x3000, 0x00);
+pub const HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = object(0x3000, 0x00);
 
 /// Gain, `3000:01`: UNSIGNED16, rw, not mapped.
 ///
@@ -27,7 +28,7 @@ pub const HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x3
 /// Erratum E1, max: printed 100, used 1000. 7 has one zero more.
 #[doc(alias = "3000")]
 pub const GAIN_1: Object<u16, Rw, Unmapped, Frequency> =
-    Object::new(0x3000, 0x01).range(0, 1000).scale(1, 10);
+    ranged_scaled(0x3000, 0x01, 0, 1000, 1, 10);
 
 /// Gain, `3000:02`: UNSIGNED16, rw, not mapped.
 ///
@@ -43,7 +44,7 @@ pub const GAIN_1: Object<u16, Rw, Unmapped, Frequency> =
 /// Erratum E3, default: printed 20, used 25. 7 prints it.
 #[doc(alias = "3000")]
 pub const GAIN_2: Object<u16, Rw, Unmapped, Frequency> =
-    Object::new(0x3000, 0x02).range(0, 1000).scale(1, 10);
+    ranged_scaled(0x3000, 0x02, 0, 1000, 1, 10);
 
 /// Notch, `3000:03`: INTEGER16, rw, not mapped.
 ///
@@ -57,7 +58,7 @@ pub const GAIN_2: Object<u16, Rw, Unmapped, Frequency> =
 /// Erratum E1, max: printed 100, used 1000. 7 has one zero more.
 #[doc(alias = "3000")]
 pub const NOTCH: Object<i16, Rw, Unmapped, Frequency> =
-    Object::new(0x3000, 0x03).range(-5, 1000).scale(1, 10);
+    ranged_scaled(0x3000, 0x03, -5, 1000, 1, 10);
 
 /// Gain, `3000:04`: UNSIGNED16, ro, not mapped.
 ///
@@ -72,7 +73,7 @@ pub const NOTCH: Object<i16, Rw, Unmapped, Frequency> =
 /// Erratum E1, max: printed 100, used 1000. 7 has one zero more.
 #[doc(alias = "3000")]
 pub const GAIN_OF_THE_LOOP: Object<u16, Ro, Unmapped, Frequency> =
-    Object::new(0x3000, 0x04).range(0, 1000).scale(1, 10);
+    ranged_scaled(0x3000, 0x04, 0, 1000, 1, 10);
 
 /// Gain, `3000:05`: UNSIGNED16, rw, not mapped.
 ///
@@ -83,5 +84,4 @@ pub const GAIN_OF_THE_LOOP: Object<u16, Ro, Unmapped, Frequency> =
 ///
 /// Erratum E2, max: printed 50, dropped. No unit fits it.
 #[doc(alias = "3000")]
-pub const GAIN_5: Object<u16, Rw, Unmapped, Frequency> =
-    Object::new(0x3000, 0x05).at_least(0).scale(1, 10);
+pub const GAIN_5: Object<u16, Rw, Unmapped, Frequency> = scaled(0x3000, 0x05, 1, 10).at_least(0);

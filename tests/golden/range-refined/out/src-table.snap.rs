@@ -5,20 +5,21 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 1] = [
     UnitDesc::new("0.1 Hz", QuantityKind::Frequency, 1, 10),
 ];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 6] = [
-    ObjectDesc::new(Address::new(0x3000, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Highest sub-index").default_int(5),
-    ObjectDesc::new(Address::new(0x3000, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Gain").range(0, 1000).default_int(10).unit(0),
-    ObjectDesc::new(Address::new(0x3000, 0x02), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Gain").range(0, 1000).default_int(25).unit(0),
-    ObjectDesc::new(Address::new(0x3000, 0x03), DataType::INTEGER16, Access::Rw, Mapping::Unmapped, "Notch").range(-5, 1000).default_int(10).unit(0),
-    ObjectDesc::new(Address::new(0x3000, 0x04), DataType::UNSIGNED16, Access::Ro, Mapping::Unmapped, "Gain").range(0, 1000).default_int(10).unit(0),
-    ObjectDesc::new(Address::new(0x3000, 0x05), DataType::UNSIGNED16, Access::Rw, Mapping::Unmapped, "Gain").at_least(0).default_int(10).unit(0),
+    preset(0x3000, 0x00, UNSIGNED8, RO, NOT_STATED, "Highest sub-index", NO_UNIT, 5),
+    full(0x3000, 0x01, UNSIGNED16, RW, UNMAPPED, "Gain", 0, 0, 1000, 10),
+    full(0x3000, 0x02, UNSIGNED16, RW, UNMAPPED, "Gain", 0, 0, 1000, 25),
+    full(0x3000, 0x03, INTEGER16, RW, UNMAPPED, "Notch", 0, -5, 1000, 10),
+    full(0x3000, 0x04, UNSIGNED16, RO, UNMAPPED, "Gain", 0, 0, 1000, 10),
+    preset(0x3000, 0x05, UNSIGNED16, RW, UNMAPPED, "Gain", 0, 10).at_least(0),
 ];
 
 /// Entries that take listed values only, by address.

@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 // 3000h Parameter group 1
 
@@ -13,27 +14,27 @@ use drivewright_runtime::prelude::*;
 /// Default 11.
 /// Manual: 2 L2.
 #[doc(alias = "3000")]
-pub const PARAMETERS: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x3000, 0x00);
+pub const PARAMETERS: Object<u8, Ro, MapNotStated, Raw> = object(0x3000, 0x00);
 
 /// P1, `3000:09`: INTEGER32, rw, not mapped.
 ///
 /// At least -5; default 2.
 /// Manual: 2 L3.
 #[doc(alias = "3000")]
-pub const P1_9: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x09).at_least(-5);
+pub const P1_9: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x09).at_least(-5);
 
 /// P1, `3000:0A`: INTEGER32, rw, not mapped.
 ///
 /// At least -5; default 2.
 /// Manual: 2 L3.
 #[doc(alias = "3000")]
-pub const P1_10: Object<i32, Rw, Unmapped, Raw> = Object::new(0x3000, 0x0A).at_least(-5);
+pub const P1_10: Object<i32, Rw, Unmapped, Raw> = object(0x3000, 0x0A).at_least(-5);
 
 /// P1 last, `3000:0B`: INTEGER32, rw, mapping not stated.
 ///
 /// Manual: 2 L4.
 #[doc(alias = "3000")]
-pub const P1_LAST: Object<i32, Rw, MapNotStated, Raw> = Object::new(0x3000, 0x0B);
+pub const P1_LAST: Object<i32, Rw, MapNotStated, Raw> = object(0x3000, 0x0B);
 
 // 3001h Count
 
@@ -43,16 +44,16 @@ pub const P1_LAST: Object<i32, Rw, MapNotStated, Raw> = Object::new(0x3000, 0x0B
 /// Default 2.
 /// Manual: 2 L5.
 #[doc(alias = "3001")]
-pub const COUNT: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x3001, 0x00);
+pub const COUNT: Object<u8, Ro, MapNotStated, Raw> = object(0x3001, 0x00);
 
 /// 4th group, `3001:01`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 2 L6.
 #[doc(alias = "3001")]
-pub const GROUP_4_1: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x3001, 0x01);
+pub const GROUP_4_1: Object<u16, Rw, MapNotStated, Raw> = object(0x3001, 0x01);
 
 /// 4th group, `3001:02`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 2 L6.
 #[doc(alias = "3001")]
-pub const GROUP_4_2: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x3001, 0x02);
+pub const GROUP_4_2: Object<u16, Rw, MapNotStated, Raw> = object(0x3001, 0x02);

@@ -5,19 +5,20 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 7] = [
-    ObjectDesc::new(Address::new(0x3000, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Parameters").default_int(11),
-    ObjectDesc::new(Address::new(0x3000, 0x09), DataType::INTEGER32, Access::Rw, Mapping::Unmapped, "P1").at_least(-5).default_int(2),
-    ObjectDesc::new(Address::new(0x3000, 0x0A), DataType::INTEGER32, Access::Rw, Mapping::Unmapped, "P1").at_least(-5).default_int(2),
-    ObjectDesc::new(Address::new(0x3000, 0x0B), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "P1 last"),
-    ObjectDesc::new(Address::new(0x3001, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Count").default_int(2),
-    ObjectDesc::new(Address::new(0x3001, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "4th group"),
-    ObjectDesc::new(Address::new(0x3001, 0x02), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "4th group"),
+    preset(0x3000, 0x00, UNSIGNED8, RO, NOT_STATED, "Parameters", NO_UNIT, 11),
+    preset(0x3000, 0x09, INTEGER32, RW, UNMAPPED, "P1", NO_UNIT, 2).at_least(-5),
+    preset(0x3000, 0x0A, INTEGER32, RW, UNMAPPED, "P1", NO_UNIT, 2).at_least(-5),
+    entry(0x3000, 0x0B, INTEGER32, RW, NOT_STATED, "P1 last", NO_UNIT),
+    preset(0x3001, 0x00, UNSIGNED8, RO, NOT_STATED, "Count", NO_UNIT, 2),
+    entry(0x3001, 0x01, UNSIGNED16, RW, NOT_STATED, "4th group", NO_UNIT),
+    entry(0x3001, 0x02, UNSIGNED16, RW, NOT_STATED, "4th group", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Counter, `2000:00`: UNSIGNED16, ro, mapping not stated.
 ///
@@ -11,7 +12,7 @@ use drivewright_runtime::prelude::*;
 /// Manual: 2 L1.
 /// The type is inferred: width from the printed range.
 #[doc(alias = "2000")]
-pub const COUNTER: Object<u16, Ro, MapNotStated, Raw> = Object::new(0x2000, 0x00).at_most(65_535);
+pub const COUNTER: Object<u16, Ro, MapNotStated, Raw> = object(0x2000, 0x00).at_most(65_535);
 
 /// Reserve, `2001:00`: UNSIGNED8, rw, mapping not stated.
 ///
@@ -20,7 +21,7 @@ pub const COUNTER: Object<u16, Ro, MapNotStated, Raw> = Object::new(0x2000, 0x00
 /// The access is assumed: written by the maker's tool.
 /// The default is assumed: a sheet demands one, the manual prints a dash.
 #[doc(alias = "2001")]
-pub const RESERVE: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00);
+pub const RESERVE: Object<u8, Rw, MapNotStated, Raw> = object(0x2001, 0x00);
 
 /// Both, `2002:00`: INTEGER32, rw, mapping not stated.
 ///
@@ -29,4 +30,4 @@ pub const RESERVE: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00)
 /// The access is assumed: not printed.
 /// The minimum is inferred: unit of the neighbour.
 #[doc(alias = "2002")]
-pub const BOTH: Object<i32, Rw, MapNotStated, Raw> = Object::new(0x2002, 0x00).at_least(-1);
+pub const BOTH: Object<i32, Rw, MapNotStated, Raw> = object(0x2002, 0x00).at_least(-1);

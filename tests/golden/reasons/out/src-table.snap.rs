@@ -5,15 +5,16 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 3] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED16, Access::Ro, Mapping::NotStated, "Counter").at_most(65_535),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "Reserve").default_int(0),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "Both").at_least(-1),
+    entry(0x2000, 0x00, UNSIGNED16, RO, NOT_STATED, "Counter", NO_UNIT).at_most(65_535),
+    preset(0x2001, 0x00, UNSIGNED8, RW, NOT_STATED, "Reserve", NO_UNIT, 0),
+    entry(0x2002, 0x00, INTEGER32, RW, NOT_STATED, "Both", NO_UNIT).at_least(-1),
 ];
 
 /// Entries that take listed values only, by address.

@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 // 2020h Gear
 
@@ -13,17 +14,17 @@ use drivewright_runtime::prelude::*;
 /// Default 5.
 /// Manual: 2 L2.
 #[doc(alias = "2020")]
-pub const HIGHEST_SUB_INDEX: Object<u8, Const, MapNotStated, Raw> = Object::new(0x2020, 0x00);
+pub const HIGHEST_SUB_INDEX: Object<u8, Const, MapNotStated, Raw> = object(0x2020, 0x00);
 
 /// Numerator, `2020:01`: UNSIGNED32, rw, mapping not stated.
 ///
 /// At least 1; default 1.
 /// Manual: 2 L3.
 #[doc(alias = "2020")]
-pub const NUMERATOR: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x2020, 0x01).at_least(1);
+pub const NUMERATOR: Object<u32, Rw, MapNotStated, Raw> = object(0x2020, 0x01).at_least(1);
 
 /// Inverted, `2020:05`: BOOLEAN, rw, mapping not stated.
 ///
 /// Manual: 2 L4.
 #[doc(alias = "2020")]
-pub const INVERTED: Object<bool, Rw, MapNotStated, Raw> = Object::new(0x2020, 0x05);
+pub const INVERTED: Object<bool, Rw, MapNotStated, Raw> = object(0x2020, 0x05);

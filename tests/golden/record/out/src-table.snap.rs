@@ -5,15 +5,16 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 3] = [
-    ObjectDesc::new(Address::new(0x2020, 0x00), DataType::UNSIGNED8, Access::Const, Mapping::NotStated, "Highest sub-index").default_int(5),
-    ObjectDesc::new(Address::new(0x2020, 0x01), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Numerator").at_least(1).default_int(1),
-    ObjectDesc::new(Address::new(0x2020, 0x05), DataType::BOOLEAN, Access::Rw, Mapping::NotStated, "Inverted"),
+    preset(0x2020, 0x00, UNSIGNED8, CONST, NOT_STATED, "Highest sub-index", NO_UNIT, 5),
+    preset(0x2020, 0x01, UNSIGNED32, RW, NOT_STATED, "Numerator", NO_UNIT, 1).at_least(1),
+    entry(0x2020, 0x05, BOOLEAN, RW, NOT_STATED, "Inverted", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

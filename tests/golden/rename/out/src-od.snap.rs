@@ -4,21 +4,22 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Speed, `2000:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const SPEED: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const SPEED: Object<u16, Rw, MapNotStated, Raw> = object(0x2000, 0x00);
 
 /// SPEED, `2001:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const SPEED_OF_THE_SECOND_AXIS: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00);
+pub const SPEED_OF_THE_SECOND_AXIS: Object<u16, Rw, MapNotStated, Raw> = object(0x2001, 0x00);
 
 /// 2nd gain, `2002:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
-pub const SECOND_GAIN: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2002, 0x00);
+pub const SECOND_GAIN: Object<u16, Rw, MapNotStated, Raw> = object(0x2002, 0x00);

@@ -5,15 +5,16 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 3] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Speed"),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "SPEED"),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "2nd gain"),
+    entry(0x2000, 0x00, UNSIGNED16, RW, NOT_STATED, "Speed", NO_UNIT),
+    entry(0x2001, 0x00, UNSIGNED16, RW, NOT_STATED, "SPEED", NO_UNIT),
+    entry(0x2002, 0x00, UNSIGNED16, RW, NOT_STATED, "2nd gain", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

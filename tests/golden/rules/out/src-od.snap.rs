@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 // 1C32h Output SyncManager
 
@@ -13,22 +14,22 @@ use drivewright_runtime::prelude::*;
 /// Default 2.
 /// Manual: 3 L1.
 #[doc(alias = "1C32")]
-pub const HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x1C32, 0x00);
+pub const HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = object(0x1C32, 0x00);
 
 /// Cycle time, `1C32:02`: UNSIGNED32, rw, mapping not stated.
 ///
 /// Manual: 3 L1.
 #[doc(alias = "1C32")]
-pub const CYCLE_TIME: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x1C32, 0x02);
+pub const CYCLE_TIME: Object<u32, Rw, MapNotStated, Raw> = object(0x1C32, 0x02);
 
 /// Statusword, `6041:00`: UNSIGNED16, ro, mapping not stated.
 ///
 /// Manual: 3 L2.
 #[doc(alias = "6041")]
-pub const STATUSWORD: Object<u16, Ro, MapNotStated, Raw> = Object::new(0x6041, 0x00);
+pub const STATUSWORD: Object<u16, Ro, MapNotStated, Raw> = object(0x6041, 0x00);
 
 /// Modes of operation, `6060:00`: INTEGER8, rw, mapping not stated.
 ///
 /// Manual: 3 L3.
 #[doc(alias = "6060")]
-pub const MODES_OF_OPERATION: Object<i8, Rw, MapNotStated, Raw> = Object::new(0x6060, 0x00);
+pub const MODES_OF_OPERATION: Object<i8, Rw, MapNotStated, Raw> = object(0x6060, 0x00);

@@ -5,16 +5,17 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 4] = [
-    ObjectDesc::new(Address::new(0x1C32, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Highest sub-index").default_int(2),
-    ObjectDesc::new(Address::new(0x1C32, 0x02), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Cycle time"),
-    ObjectDesc::new(Address::new(0x6041, 0x00), DataType::UNSIGNED16, Access::Ro, Mapping::NotStated, "Statusword"),
-    ObjectDesc::new(Address::new(0x6060, 0x00), DataType::INTEGER8, Access::Rw, Mapping::NotStated, "Modes of operation"),
+    preset(0x1C32, 0x00, UNSIGNED8, RO, NOT_STATED, "Highest sub-index", NO_UNIT, 2),
+    entry(0x1C32, 0x02, UNSIGNED32, RW, NOT_STATED, "Cycle time", NO_UNIT),
+    entry(0x6041, 0x00, UNSIGNED16, RO, NOT_STATED, "Statusword", NO_UNIT),
+    entry(0x6060, 0x00, INTEGER8, RW, NOT_STATED, "Modes of operation", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

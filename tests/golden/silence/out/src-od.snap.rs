@@ -4,9 +4,10 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Something, `2000:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Manual: 2.1 T2-1 L10.
 #[doc(alias = "2000")]
-pub const SOMETHING: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const SOMETHING: Object<u16, Rw, MapNotStated, Raw> = object(0x2000, 0x00);

@@ -4,29 +4,30 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Device name, `2000:00`: VISIBLE_STRING, const, mapping not stated.
 ///
 /// Default "X1-400 "A" = 100 %".
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const DEVICE_NAME: Object<VisibleString, Const, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const DEVICE_NAME: Object<VisibleString, Const, MapNotStated, Raw> = object(0x2000, 0x00);
 
 /// Serial text, `2001:00`: VISIBLE_STRING, ro, mapping not stated.
 ///
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const SERIAL_TEXT: Object<VisibleString, Ro, MapNotStated, Raw> = Object::new(0x2001, 0x00);
+pub const SERIAL_TEXT: Object<VisibleString, Ro, MapNotStated, Raw> = object(0x2001, 0x00);
 
 /// Key, `2002:00`: OCTET_STRING, wo, mapping not stated.
 ///
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
-pub const KEY: Object<OctetString, Wo, MapNotStated, Raw> = Object::new(0x2002, 0x00);
+pub const KEY: Object<OctetString, Wo, MapNotStated, Raw> = object(0x2002, 0x00);
 
 /// Label, `2003:00`: UNICODE_STRING, rw, mapping not stated.
 ///
 /// Default "Größe µ".
 /// Manual: 2 L4.
 #[doc(alias = "2003")]
-pub const LABEL: Object<UnicodeString, Rw, MapNotStated, Raw> = Object::new(0x2003, 0x00);
+pub const LABEL: Object<UnicodeString, Rw, MapNotStated, Raw> = object(0x2003, 0x00);

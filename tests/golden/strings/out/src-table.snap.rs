@@ -5,16 +5,17 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 4] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::VISIBLE_STRING, Access::Const, Mapping::NotStated, "Device name"),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::VISIBLE_STRING, Access::Ro, Mapping::NotStated, "Serial text"),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::OCTET_STRING, Access::Wo, Mapping::NotStated, "Key"),
-    ObjectDesc::new(Address::new(0x2003, 0x00), DataType::UNICODE_STRING, Access::Rw, Mapping::NotStated, "Label"),
+    entry(0x2000, 0x00, VISIBLE_STRING, CONST, NOT_STATED, "Device name", NO_UNIT),
+    entry(0x2001, 0x00, VISIBLE_STRING, RO, NOT_STATED, "Serial text", NO_UNIT),
+    entry(0x2002, 0x00, OCTET_STRING, WO, NOT_STATED, "Key", NO_UNIT),
+    entry(0x2003, 0x00, UNICODE_STRING, RW, NOT_STATED, "Label", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

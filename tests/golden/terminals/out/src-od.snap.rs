@@ -4,12 +4,13 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Digital inputs, `60FD:00`: UNSIGNED32, ro, mapping not stated.
 ///
 /// Manual: 4 L1.
 #[doc(alias = "60FD")]
-pub const DIGITAL_INPUTS: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x60FD, 0x00);
+pub const DIGITAL_INPUTS: Object<u32, Ro, MapNotStated, Raw> = object(0x60FD, 0x00);
 
 // 60FEh Digital outputs
 
@@ -19,10 +20,10 @@ pub const DIGITAL_INPUTS: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x60F
 /// Default 1.
 /// Manual: 4 L3.
 #[doc(alias = "60FE")]
-pub const HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x60FE, 0x00);
+pub const HIGHEST_SUB_INDEX: Object<u8, Ro, MapNotStated, Raw> = object(0x60FE, 0x00);
 
 /// Physical outputs, `60FE:01`: UNSIGNED32, rw, mapping not stated.
 ///
 /// Manual: 4 L4.
 #[doc(alias = "60FE")]
-pub const PHYSICAL_OUTPUTS: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x60FE, 0x01);
+pub const PHYSICAL_OUTPUTS: Object<u32, Rw, MapNotStated, Raw> = object(0x60FE, 0x01);

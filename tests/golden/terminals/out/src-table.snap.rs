@@ -5,15 +5,16 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 3] = [
-    ObjectDesc::new(Address::new(0x60FD, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Digital inputs"),
-    ObjectDesc::new(Address::new(0x60FE, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Highest sub-index").default_int(1),
-    ObjectDesc::new(Address::new(0x60FE, 0x01), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Physical outputs"),
+    entry(0x60FD, 0x00, UNSIGNED32, RO, NOT_STATED, "Digital inputs", NO_UNIT),
+    preset(0x60FE, 0x00, UNSIGNED8, RO, NOT_STATED, "Highest sub-index", NO_UNIT, 1),
+    entry(0x60FE, 0x01, UNSIGNED32, RW, NOT_STATED, "Physical outputs", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

@@ -4,6 +4,7 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Gain, `2000:00`: UNSIGNED16, rw, mapping not stated.
 ///
@@ -11,4 +12,4 @@ use drivewright_runtime::prelude::*;
 /// Note: Printed once as gian.
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const GAIN: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const GAIN: Object<u16, Rw, MapNotStated, Raw> = object(0x2000, 0x00);

@@ -5,15 +5,16 @@
 
 use super::enums;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// First, `2000:00`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const FIRST: Object<enums::States, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const FIRST: Object<enums::States, Rw, MapNotStated, Raw> = object(0x2000, 0x00);
 
 /// Second, `2001:00`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const SECOND: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00);
+pub const SECOND: Object<u8, Rw, MapNotStated, Raw> = object(0x2001, 0x00);

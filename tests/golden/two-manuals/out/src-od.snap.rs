@@ -4,21 +4,22 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// One, `2000:00`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Manual: m1 L1.
 #[doc(alias = "2000")]
-pub const ONE: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const ONE: Object<u8, Rw, MapNotStated, Raw> = object(0x2000, 0x00);
 
 /// Two, `2001:00`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Manual: m2 App.II T6-2 L50, m1 4.3 L99 L100.
 #[doc(alias = "2001")]
-pub const TWO: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00);
+pub const TWO: Object<u8, Rw, MapNotStated, Raw> = object(0x2001, 0x00);
 
 /// Three, `2002:00`: UNSIGNED8, rw, mapping not stated.
 ///
 /// Manual: m2 T1 L7.
 #[doc(alias = "2002")]
-pub const THREE: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x2002, 0x00);
+pub const THREE: Object<u8, Rw, MapNotStated, Raw> = object(0x2002, 0x00);

@@ -5,15 +5,16 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 0] = [];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 3] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "One"),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "Two"),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "Three"),
+    entry(0x2000, 0x00, UNSIGNED8, RW, NOT_STATED, "One", NO_UNIT),
+    entry(0x2001, 0x00, UNSIGNED8, RW, NOT_STATED, "Two", NO_UNIT),
+    entry(0x2002, 0x00, UNSIGNED8, RW, NOT_STATED, "Three", NO_UNIT),
 ];
 
 /// Entries that take listed values only, by address.

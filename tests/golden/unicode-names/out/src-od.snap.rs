@@ -4,16 +4,17 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Température °C (µ), `2000:00`: INTEGER16, ro, mapping not stated.
 ///
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const TEMP_RATURE_C: Object<i16, Ro, MapNotStated, Raw> = Object::new(0x2000, 0x00);
+pub const TEMP_RATURE_C: Object<i16, Ro, MapNotStated, Raw> = object(0x2000, 0x00);
 
 /// 伺服 servo 参数, `2001:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// Ω, ≤ 5 %, „quoted“.
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const SERVO: Object<u16, Rw, MapNotStated, Raw> = Object::new(0x2001, 0x00);
+pub const SERVO: Object<u16, Rw, MapNotStated, Raw> = object(0x2001, 0x00);

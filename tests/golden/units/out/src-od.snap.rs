@@ -4,13 +4,14 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Speed, `2000:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// In rpm.
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const SPEED: Object<u16, Rw, MapNotStated, Velocity> = Object::new(0x2000, 0x00);
+pub const SPEED: Object<u16, Rw, MapNotStated, Velocity> = object(0x2000, 0x00);
 
 /// Fine speed, `2001:00`: INTEGER32, rw, mapping not stated.
 ///
@@ -18,56 +19,53 @@ pub const SPEED: Object<u16, Rw, MapNotStated, Velocity> = Object::new(0x2000, 0
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
 pub const FINE_SPEED: Object<i32, Rw, MapNotStated, Velocity> =
-    Object::new(0x2001, 0x00).range(1, 60_000).scale(1, 10);
+    ranged_scaled(0x2001, 0x00, 1, 60_000, 1, 10);
 
 /// Torque, `2002:00`: INTEGER16, rw, mapping not stated.
 ///
 /// In 0.1 % rated torque.
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
-pub const TORQUE: Object<i16, Rw, MapNotStated, TorqueRatio> =
-    Object::new(0x2002, 0x00).scale(1, 1000);
+pub const TORQUE: Object<i16, Rw, MapNotStated, TorqueRatio> = scaled(0x2002, 0x00, 1, 1000);
 
 /// Angle, `2003:00`: UNSIGNED32, ro, mapping not stated.
 ///
 /// In 1/65536 rev.
 /// Manual: 2 L4.
 #[doc(alias = "2003")]
-pub const ANGLE: Object<u32, Ro, MapNotStated, Angle> = Object::new(0x2003, 0x00).scale(1, 65_536);
+pub const ANGLE: Object<u32, Ro, MapNotStated, Angle> = scaled(0x2003, 0x00, 1, 65_536);
 
 /// Delay, `2004:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// In 100 us.
 /// Manual: 2 L5.
 #[doc(alias = "2004")]
-pub const DELAY: Object<u16, Rw, MapNotStated, Time> = Object::new(0x2004, 0x00).scale(1, 10_000);
+pub const DELAY: Object<u16, Rw, MapNotStated, Time> = scaled(0x2004, 0x00, 1, 10_000);
 
 /// Ramp, `2005:00`: UNSIGNED32, rw, mapping not stated.
 ///
 /// In 10 rpm/s.
 /// Manual: 2 L6.
 #[doc(alias = "2005")]
-pub const RAMP: Object<u32, Rw, MapNotStated, Acceleration> =
-    Object::new(0x2005, 0x00).scale(10, 1);
+pub const RAMP: Object<u32, Rw, MapNotStated, Acceleration> = scaled(0x2005, 0x00, 10, 1);
 
 /// Inertia, `2006:00`: UNSIGNED32, rw, mapping not stated.
 ///
 /// In 0.000001 kg m2.
 /// Manual: 2 L7.
 #[doc(alias = "2006")]
-pub const INERTIA: Object<u32, Rw, MapNotStated, Inertia> =
-    Object::new(0x2006, 0x00).scale(1, 1_000_000);
+pub const INERTIA: Object<u32, Rw, MapNotStated, Inertia> = scaled(0x2006, 0x00, 1, 1_000_000);
 
 /// Temperature, `2007:00`: INTEGER16, ro, mapping not stated.
 ///
 /// In degC.
 /// Manual: 2 L8.
 #[doc(alias = "2007")]
-pub const TEMPERATURE: Object<i16, Ro, MapNotStated, Temperature> = Object::new(0x2007, 0x00);
+pub const TEMPERATURE: Object<i16, Ro, MapNotStated, Temperature> = object(0x2007, 0x00);
 
 /// Load, `2008:00`: UNSIGNED16, ro, mapping not stated.
 ///
 /// In %.
 /// Manual: 2 L9.
 #[doc(alias = "2008")]
-pub const LOAD: Object<u16, Ro, MapNotStated, Ratio> = Object::new(0x2008, 0x00).scale(1, 100);
+pub const LOAD: Object<u16, Ro, MapNotStated, Ratio> = scaled(0x2008, 0x00, 1, 100);

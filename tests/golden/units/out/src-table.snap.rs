@@ -5,6 +5,7 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 9] = [
@@ -19,17 +20,17 @@ pub static UNITS: [UnitDesc<'static>; 9] = [
     UnitDesc::new("%", QuantityKind::Ratio, 1, 100),
 ];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 9] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Speed").unit(0),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "Fine speed").range(1, 60_000).unit(1),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::INTEGER16, Access::Rw, Mapping::NotStated, "Torque").unit(2),
-    ObjectDesc::new(Address::new(0x2003, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Angle").unit(3),
-    ObjectDesc::new(Address::new(0x2004, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Delay").unit(4),
-    ObjectDesc::new(Address::new(0x2005, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Ramp").unit(5),
-    ObjectDesc::new(Address::new(0x2006, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Inertia").unit(6),
-    ObjectDesc::new(Address::new(0x2007, 0x00), DataType::INTEGER16, Access::Ro, Mapping::NotStated, "Temperature").unit(7),
-    ObjectDesc::new(Address::new(0x2008, 0x00), DataType::UNSIGNED16, Access::Ro, Mapping::NotStated, "Load").unit(8),
+    entry(0x2000, 0x00, UNSIGNED16, RW, NOT_STATED, "Speed", 0),
+    limited(0x2001, 0x00, INTEGER32, RW, NOT_STATED, "Fine speed", 1, 1, 60_000),
+    entry(0x2002, 0x00, INTEGER16, RW, NOT_STATED, "Torque", 2),
+    entry(0x2003, 0x00, UNSIGNED32, RO, NOT_STATED, "Angle", 3),
+    entry(0x2004, 0x00, UNSIGNED16, RW, NOT_STATED, "Delay", 4),
+    entry(0x2005, 0x00, UNSIGNED32, RW, NOT_STATED, "Ramp", 5),
+    entry(0x2006, 0x00, UNSIGNED32, RW, NOT_STATED, "Inertia", 6),
+    entry(0x2007, 0x00, INTEGER16, RO, NOT_STATED, "Temperature", 7),
+    entry(0x2008, 0x00, UNSIGNED16, RO, NOT_STATED, "Load", 8),
 ];
 
 /// Entries that take listed values only, by address.

@@ -4,39 +4,39 @@
 // Do not edit: change the profile and run `cargo xtask regen`.
 
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Target, `2000:00`: INTEGER32, rw, mapping not stated.
 ///
 /// In user position.
 /// Manual: 2 L1.
 #[doc(alias = "2000")]
-pub const TARGET: Object<i32, Rw, MapNotStated, UserPosition> = Object::new(0x2000, 0x00);
+pub const TARGET: Object<i32, Rw, MapNotStated, UserPosition> = object(0x2000, 0x00);
 
 /// Speed, `2001:00`: UNSIGNED32, rw, mapping not stated.
 ///
 /// In user velocity.
 /// Manual: 2 L2.
 #[doc(alias = "2001")]
-pub const SPEED: Object<u32, Rw, MapNotStated, UserVelocity> = Object::new(0x2001, 0x00);
+pub const SPEED: Object<u32, Rw, MapNotStated, UserVelocity> = object(0x2001, 0x00);
 
 /// Ramp, `2002:00`: UNSIGNED32, rw, mapping not stated.
 ///
 /// In user acceleration.
 /// Manual: 2 L3.
 #[doc(alias = "2002")]
-pub const RAMP: Object<u32, Rw, MapNotStated, UserAcceleration> = Object::new(0x2002, 0x00);
+pub const RAMP: Object<u32, Rw, MapNotStated, UserAcceleration> = object(0x2002, 0x00);
 
 /// Coarse, `2003:00`: INTEGER32, rw, mapping not stated.
 ///
 /// In 1000 user position.
 /// Manual: 2 L4.
 #[doc(alias = "2003")]
-pub const COARSE: Object<i32, Rw, MapNotStated, UserPosition> =
-    Object::new(0x2003, 0x00).scale(1000, 1);
+pub const COARSE: Object<i32, Rw, MapNotStated, UserPosition> = scaled(0x2003, 0x00, 1000, 1);
 
 /// Encoder, `2004:00`: INTEGER32, ro, mapping not stated.
 ///
 /// In count.
 /// Manual: 2 L5.
 #[doc(alias = "2004")]
-pub const ENCODER: Object<i32, Ro, MapNotStated, Counts> = Object::new(0x2004, 0x00);
+pub const ENCODER: Object<i32, Ro, MapNotStated, Counts> = object(0x2004, 0x00);

@@ -5,6 +5,7 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 5] = [
@@ -15,13 +16,13 @@ pub static UNITS: [UnitDesc<'static>; 5] = [
     UnitDesc::new("count", QuantityKind::Counts, 1, 1),
 ];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 5] = [
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "Target").unit(0),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Speed").unit(1),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Ramp").unit(2),
-    ObjectDesc::new(Address::new(0x2003, 0x00), DataType::INTEGER32, Access::Rw, Mapping::NotStated, "Coarse").unit(3),
-    ObjectDesc::new(Address::new(0x2004, 0x00), DataType::INTEGER32, Access::Ro, Mapping::NotStated, "Encoder").unit(4),
+    entry(0x2000, 0x00, INTEGER32, RW, NOT_STATED, "Target", 0),
+    entry(0x2001, 0x00, UNSIGNED32, RW, NOT_STATED, "Speed", 1),
+    entry(0x2002, 0x00, UNSIGNED32, RW, NOT_STATED, "Ramp", 2),
+    entry(0x2003, 0x00, INTEGER32, RW, NOT_STATED, "Coarse", 3),
+    entry(0x2004, 0x00, INTEGER32, RO, NOT_STATED, "Encoder", 4),
 ];
 
 /// Entries that take listed values only, by address.

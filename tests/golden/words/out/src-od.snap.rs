@@ -5,20 +5,21 @@
 
 use super::{bits, enums};
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Device type, `1000:00`: UNSIGNED32, ro, mapping not stated.
 ///
 /// Default 00020192h.
 /// Manual: 2 L1.
 #[doc(alias = "1000")]
-pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1000, 0x00);
+pub const DEVICE_TYPE: Object<u32, Ro, MapNotStated, Raw> = object(0x1000, 0x00);
 
 /// Error register, `1001:00`: UNSIGNED8, ro, mapping not stated.
 ///
 /// Default 11h.
 /// Manual: 2 L2.
 #[doc(alias = "1001")]
-pub const ERROR_REGISTER: Object<bits::Errors, Ro, MapNotStated, Raw> = Object::new(0x1001, 0x00);
+pub const ERROR_REGISTER: Object<bits::Errors, Ro, MapNotStated, Raw> = object(0x1001, 0x00);
 
 /// Cycle, `1006:00`: UNSIGNED32, rw, mapping not stated.
 ///
@@ -26,7 +27,7 @@ pub const ERROR_REGISTER: Object<bits::Errors, Ro, MapNotStated, Raw> = Object::
 /// Manual: 2 L3.
 #[doc(alias = "1006")]
 pub const CYCLE: Object<u32, Rw, MapNotStated, Time> =
-    Object::new(0x1006, 0x00).range(250, 100_000).scale(1, 1_000_000);
+    ranged_scaled(0x1006, 0x00, 250, 100_000, 1, 1_000_000);
 
 // 1018h Identity
 
@@ -36,14 +37,14 @@ pub const CYCLE: Object<u32, Rw, MapNotStated, Time> =
 /// Default 1.
 /// Manual: 2 L3.
 #[doc(alias = "1018")]
-pub const NUMBER_OF_ENTRIES: Object<u8, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x00);
+pub const NUMBER_OF_ENTRIES: Object<u8, Ro, MapNotStated, Raw> = object(0x1018, 0x00);
 
 /// Vendor id, `1018:01`: UNSIGNED32, ro, mapping not stated.
 ///
 /// Default 0000ACEDh.
 /// Manual: 2 L3.
 #[doc(alias = "1018")]
-pub const VENDOR_ID: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x01);
+pub const VENDOR_ID: Object<u32, Ro, MapNotStated, Raw> = object(0x1018, 0x01);
 
 // 1C12h Assignment
 
@@ -53,7 +54,7 @@ pub const VENDOR_ID: Object<u32, Ro, MapNotStated, Raw> = Object::new(0x1018, 0x
 /// 0 to 1; default 1.
 /// Manual: 2 L4.
 #[doc(alias = "1C12")]
-pub const ASSIGNED_PDOS: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x1C12, 0x00).range(0, 1);
+pub const ASSIGNED_PDOS: Object<u8, Rw, MapNotStated, Raw> = ranged(0x1C12, 0x00, 0, 1);
 
 /// Assigned PDO, `1C12:01`: UNSIGNED16, rw, mapping not stated.
 ///
@@ -61,7 +62,7 @@ pub const ASSIGNED_PDOS: Object<u8, Rw, MapNotStated, Raw> = Object::new(0x1C12,
 /// Manual: 2 L5.
 #[doc(alias = "1C12")]
 pub const ASSIGNED_PDO: Object<u16, Rw, MapNotStated, Raw> =
-    Object::new(0x1C12, 0x01).range(0x1600, 0x1603).allow(&[0x1600, 0x1603]);
+    ranged(0x1C12, 0x01, 0x1600, 0x1603).allow(&[0x1600, 0x1603]);
 
 /// Speed, `2000:00`: INTEGER32, rw, RxPDO.
 ///
@@ -69,15 +70,14 @@ pub const ASSIGNED_PDO: Object<u16, Rw, MapNotStated, Raw> =
 /// Manual: 2 L6.
 #[doc(alias = "2000")]
 pub const SPEED: Object<i32, Rw, Rx, Velocity> =
-    Object::new(0x2000, 0x00).range(-60_000, 60_000).scale(1, 10);
+    ranged_scaled(0x2000, 0x00, -60_000, 60_000, 1, 10);
 
 /// Angle, `2001:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// In 1/360 rev; 0 to 719 (0 to 719/360 rev); default 90 (0.25 rev).
 /// Manual: 2 L7.
 #[doc(alias = "2001")]
-pub const ANGLE: Object<u16, Rw, MapNotStated, Angle> =
-    Object::new(0x2001, 0x00).range(0, 719).scale(1, 360);
+pub const ANGLE: Object<u16, Rw, MapNotStated, Angle> = ranged_scaled(0x2001, 0x00, 0, 719, 1, 360);
 
 /// Torque, `2002:00`: UNSIGNED16, rw, mapping not stated.
 ///
@@ -85,7 +85,7 @@ pub const ANGLE: Object<u16, Rw, MapNotStated, Angle> =
 /// Manual: 2 L8.
 #[doc(alias = "2002")]
 pub const TORQUE: Object<u16, Rw, MapNotStated, TorqueRatio> =
-    Object::new(0x2002, 0x00).at_most(3000).scale(1, 1000);
+    scaled(0x2002, 0x00, 1, 1000).at_most(3000);
 
 /// Option, `2003:00`: UNSIGNED16, rw, mapping not stated.
 ///
@@ -93,37 +93,35 @@ pub const TORQUE: Object<u16, Rw, MapNotStated, TorqueRatio> =
 /// Manual: 2 L9.
 #[doc(alias = "2003")]
 pub const OPTION: Object<enums::Option, Rw, MapNotStated, Raw> =
-    Object::new(0x2003, 0x00).allow(&[10, 11]);
+    object(0x2003, 0x00).allow(&[10, 11]);
 
 /// Choice, `2004:00`: UNSIGNED16, rw, mapping not stated.
 ///
 /// 10 to 11; default 10 (Ten).
 /// Manual: 2 L10.
 #[doc(alias = "2004")]
-pub const CHOICE: Object<enums::Option, Rw, MapNotStated, Raw> =
-    Object::new(0x2004, 0x00).range(10, 11);
+pub const CHOICE: Object<enums::Option, Rw, MapNotStated, Raw> = ranged(0x2004, 0x00, 10, 11);
 
 /// Version, `2005:00`: UNSIGNED16, ro, mapping not stated.
 ///
 /// Always 20.
 /// Manual: 2 L11.
 #[doc(alias = "2005")]
-pub const VERSION: Object<u16, Ro, MapNotStated, Raw> = Object::new(0x2005, 0x00).range(20, 20);
+pub const VERSION: Object<u16, Ro, MapNotStated, Raw> = ranged(0x2005, 0x00, 20, 20);
 
 /// Delay, `2006:00`: UNSIGNED16, ro, mapping not stated.
 ///
 /// In 10 ms; always 5 (50 ms).
 /// Manual: 2 L12.
 #[doc(alias = "2006")]
-pub const DELAY: Object<u16, Ro, MapNotStated, Time> =
-    Object::new(0x2006, 0x00).range(5, 5).scale(1, 100);
+pub const DELAY: Object<u16, Ro, MapNotStated, Time> = ranged_scaled(0x2006, 0x00, 5, 5, 1, 100);
 
 /// Wide, `2007:00`: UNSIGNED32, rw, mapping not stated.
 ///
 /// Default 100000.
 /// Manual: 2 L13.
 #[doc(alias = "2007")]
-pub const WIDE: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x2007, 0x00);
+pub const WIDE: Object<u32, Rw, MapNotStated, Raw> = object(0x2007, 0x00);
 
 /// Supported modes, `6502:00`: UNSIGNED32, ro, mapping not stated.
 ///
@@ -131,4 +129,4 @@ pub const WIDE: Object<u32, Rw, MapNotStated, Raw> = Object::new(0x2007, 0x00);
 /// Manual: 2 L14.
 #[doc(alias = "6502")]
 pub const SUPPORTED_MODES: Object<bits::Modes, Ro, MapNotStated, Raw> =
-    Object::new(0x6502, 0x00).range(0x0000_006D, 0x0000_006D);
+    ranged(0x6502, 0x00, 0x0000_006D, 0x0000_006D);

@@ -5,6 +5,7 @@
 
 use super::alarms::ALARMS;
 use drivewright_runtime::prelude::*;
+use drivewright_runtime::row::*;
 
 /// Units.
 pub static UNITS: [UnitDesc<'static>; 5] = [
@@ -15,24 +16,24 @@ pub static UNITS: [UnitDesc<'static>; 5] = [
     UnitDesc::new("10 ms", QuantityKind::Time, 1, 100),
 ];
 
-/// Entries of the dictionary, by address.
+/// Entries of the dictionary, by address: index, sub-index, type, access, mapping, name, unit; then lowest and highest raw value, default.
 pub static OBJECTS: [ObjectDesc<'static>; 16] = [
-    ObjectDesc::new(Address::new(0x1000, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Device type").default_int(0x0002_0192),
-    ObjectDesc::new(Address::new(0x1001, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Error register").default_int(0x11).bits(0),
-    ObjectDesc::new(Address::new(0x1006, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Cycle").range(250, 100_000).unit(0),
-    ObjectDesc::new(Address::new(0x1018, 0x00), DataType::UNSIGNED8, Access::Ro, Mapping::NotStated, "Number of entries").default_int(1),
-    ObjectDesc::new(Address::new(0x1018, 0x01), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Vendor id").default_int(0x0000_ACED),
-    ObjectDesc::new(Address::new(0x1C12, 0x00), DataType::UNSIGNED8, Access::Rw, Mapping::NotStated, "Assigned PDOs").range(0, 1).default_int(1),
-    ObjectDesc::new(Address::new(0x1C12, 0x01), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Assigned PDO").range(0x1600, 0x1603).default_int(0x1600),
-    ObjectDesc::new(Address::new(0x2000, 0x00), DataType::INTEGER32, Access::Rw, Mapping::Rx, "Speed").range(-60_000, 60_000).default_int(505).unit(1),
-    ObjectDesc::new(Address::new(0x2001, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Angle").range(0, 719).default_int(90).unit(2),
-    ObjectDesc::new(Address::new(0x2002, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Torque").at_most(3000).unit(3),
-    ObjectDesc::new(Address::new(0x2003, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Option").default_int(11).values(0),
-    ObjectDesc::new(Address::new(0x2004, 0x00), DataType::UNSIGNED16, Access::Rw, Mapping::NotStated, "Choice").range(10, 11).default_int(10).values(0),
-    ObjectDesc::new(Address::new(0x2005, 0x00), DataType::UNSIGNED16, Access::Ro, Mapping::NotStated, "Version").range(20, 20).default_int(20),
-    ObjectDesc::new(Address::new(0x2006, 0x00), DataType::UNSIGNED16, Access::Ro, Mapping::NotStated, "Delay").range(5, 5).unit(4),
-    ObjectDesc::new(Address::new(0x2007, 0x00), DataType::UNSIGNED32, Access::Rw, Mapping::NotStated, "Wide").default_int(100_000),
-    ObjectDesc::new(Address::new(0x6502, 0x00), DataType::UNSIGNED32, Access::Ro, Mapping::NotStated, "Supported modes").range(0x0000_006D, 0x0000_006D).default_int(0x0000_006D).bits(1),
+    preset(0x1000, 0x00, UNSIGNED32, RO, NOT_STATED, "Device type", NO_UNIT, 0x0002_0192),
+    preset(0x1001, 0x00, UNSIGNED8, RO, NOT_STATED, "Error register", NO_UNIT, 0x11).bits(0),
+    limited(0x1006, 0x00, UNSIGNED32, RW, NOT_STATED, "Cycle", 0, 250, 100_000),
+    preset(0x1018, 0x00, UNSIGNED8, RO, NOT_STATED, "Number of entries", NO_UNIT, 1),
+    preset(0x1018, 0x01, UNSIGNED32, RO, NOT_STATED, "Vendor id", NO_UNIT, 0x0000_ACED),
+    full(0x1C12, 0x00, UNSIGNED8, RW, NOT_STATED, "Assigned PDOs", NO_UNIT, 0, 1, 1),
+    full(0x1C12, 0x01, UNSIGNED16, RW, NOT_STATED, "Assigned PDO", NO_UNIT, 0x1600, 0x1603, 0x1600),
+    full(0x2000, 0x00, INTEGER32, RW, RX, "Speed", 1, -60_000, 60_000, 505),
+    full(0x2001, 0x00, UNSIGNED16, RW, NOT_STATED, "Angle", 2, 0, 719, 90),
+    entry(0x2002, 0x00, UNSIGNED16, RW, NOT_STATED, "Torque", 3).at_most(3000),
+    preset(0x2003, 0x00, UNSIGNED16, RW, NOT_STATED, "Option", NO_UNIT, 11).values(0),
+    full(0x2004, 0x00, UNSIGNED16, RW, NOT_STATED, "Choice", NO_UNIT, 10, 11, 10).values(0),
+    full(0x2005, 0x00, UNSIGNED16, RO, NOT_STATED, "Version", NO_UNIT, 20, 20, 20),
+    limited(0x2006, 0x00, UNSIGNED16, RO, NOT_STATED, "Delay", 4, 5, 5),
+    preset(0x2007, 0x00, UNSIGNED32, RW, NOT_STATED, "Wide", NO_UNIT, 100_000),
+    full(0x6502, 0x00, UNSIGNED32, RO, NOT_STATED, "Supported modes", NO_UNIT, 0x0000_006D, 0x0000_006D, 0x0000_006D).bits(1),
 ];
 
 /// Entries that take listed values only, by address.

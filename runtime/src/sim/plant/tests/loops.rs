@@ -108,6 +108,30 @@ fn a_stall_is_timed_and_left() {
 }
 
 #[test]
+fn a_stop_is_left_at_once_after_a_long_push() {
+    for away in [-1, 1] {
+        let mut axis = axis(PlantConfig { start: -away * REVOLUTION * 10, ..PlantConfig::default() });
+        run(&mut axis, speed(-away * REVOLUTION / 4), MS * 10_000, MS);
+        assert_eq!(axis.torque(), -3_000 * i32::try_from(away).unwrap());
+        run(&mut axis, speed(away * REVOLUTION / 4), MS * 20, MS);
+        assert_eq!(axis.contact(), None);
+    }
+}
+
+#[test]
+fn a_speed_that_takes_all_torque_is_not_overrun() {
+    let mut axis = axis(PlantConfig { upper_stop: 1 << 50, ..PlantConfig::default() });
+    axis.limit_torque(200, 200);
+    let (wanted, mut most) = (REVOLUTION * 20, 0);
+    for _ in 0..2_000 {
+        axis.step(speed(wanted), MS);
+        most = most.max(axis.velocity());
+    }
+    assert!(axis.velocity().abs_diff(wanted * 256) < (wanted * 256 / 1_000).unsigned_abs());
+    assert!(most < wanted * 256 * 102 / 100, "{} of {wanted}", most / 256);
+}
+
+#[test]
 fn the_torque_limit_holds_while_it_is_in_control() {
     let mut axis = axis(PlantConfig::default());
     axis.limit_torque(500, 400);
