@@ -241,8 +241,12 @@ impl<'m> Image<'m> {
         }
     }
 
-    /// The entry of this axis that is at `address` for the first one.
+    /// The entry of this axis that is at `address` for the first one. Entries outside 6000h to 67FFh are those of the
+    /// device, which all axes share.
     pub const fn at(&self, address: Address) -> Address {
+        if address.index() < 0x6000 || address.index() > 0x67FF {
+            return address;
+        }
         let offset = AXIS_OFFSET.saturating_mul(self.axis as u16);
         Address::new(address.index().saturating_add(offset), address.sub())
     }

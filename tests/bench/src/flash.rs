@@ -48,22 +48,46 @@ pub fn measure(
     let all = drive.objects.iter().flat_map(|o| o.entries.iter().map(move |e| (o.index, e)));
     let used: Vec<(u16, &Entry)> = all.filter(|(_, e)| e.writable && e.table.is_none()).take(USED).collect();
     let depends = format!("{} = {{ path = {:?} }}", made.name, made.folder);
-    let size = |name: &str, depends: &str, code: String| -> Result<u64, Box<dyn Error>> {
-        let folder = scratch.join(name);
-        let manifest = format!(
-            "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2021\"\n[workspace]\n[profile.release]\npanic = \"abort\"\nopt-level = \"s\"\nlto = true\ncodegen-units = 1\n[dependencies]\n{depends}\n"
-        );
-        write(&folder.join("Cargo.toml"), manifest.as_bytes())?;
-        write(&folder.join("src").join("main.rs"), code.as_bytes())?;
-        let mut cargo = Command::new("cargo");
-        cargo.args(["build", "--release", "--quiet", "--target", TARGET, "--target-dir"]).arg(target);
-        child::run(cargo.current_dir(&folder))?;
-        weigh(&target.join(TARGET).join("release").join(name))
-    };
+    let size = |name, depends: &str, code| size(name, depends, code, scratch, target);
     Ok(Flash {
         ours: size("flash-ours", &depends, by_handles(&made.name, &used))?,
         hand: size("flash-hand", "", by_hand(&used))?,
     })
+}
+
+/// The same for a program that enables an axis and moves it, by the client and by hand.
+pub fn enable_and_move(root: &Path, scratch: &Path, target: &Path) -> Result<Flash, Box<dyn Error>> {
+    let runtime = format!("drivewright-runtime = {{ path = {:?} }}", root.join("runtime"));
+    Ok(Flash {
+        ours: size(
+            "axis-ours",
+            &runtime,
+            format!("{FRAME}{}", include_str!("axis/ours.txt")),
+            scratch,
+            target,
+        )?,
+        hand: size("axis-hand", "", format!("{FRAME}{}", include_str!("axis/hand.txt")), scratch, target)?,
+    })
+}
+
+/// Builds a program and weighs it.
+fn size(
+    name: &str,
+    depends: &str,
+    code: String,
+    scratch: &Path,
+    target: &Path,
+) -> Result<u64, Box<dyn Error>> {
+    let folder = scratch.join(name);
+    let manifest = format!(
+        "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2021\"\n[workspace]\n[profile.release]\npanic = \"abort\"\nopt-level = \"s\"\nlto = true\ncodegen-units = 1\n[dependencies]\n{depends}\n"
+    );
+    write(&folder.join("Cargo.toml"), manifest.as_bytes())?;
+    write(&folder.join("src").join("main.rs"), code.as_bytes())?;
+    let mut cargo = Command::new("cargo");
+    cargo.args(["build", "--release", "--quiet", "--target", TARGET, "--target-dir"]).arg(target);
+    child::run(cargo.current_dir(&folder))?;
+    weigh(&target.join(TARGET).join("release").join(name))
 }
 
 fn by_handles(package: &str, used: &[(u16, &Entry)]) -> String {

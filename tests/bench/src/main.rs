@@ -10,6 +10,7 @@ mod pdo;
 mod peers;
 mod report;
 mod run;
+mod runtime;
 mod script;
 mod speed;
 mod synthetic;

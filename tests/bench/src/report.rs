@@ -45,6 +45,11 @@ impl Row {
         Self { budget: Some(most), headline: true, ..self }
     }
 
+    /// In the README without a budget.
+    pub fn headline(self) -> Self {
+        Self { headline: true, ..self }
+    }
+
     /// Beside those of others.
     pub fn beside(self, peers: [Option<f64>; PEERS.len()]) -> Self {
         Self { peers, ..self }
@@ -56,8 +61,10 @@ impl Row {
 }
 
 impl Unit {
-    fn text(self, n: f64) -> String {
+    pub fn text(self, n: f64) -> String {
         match self {
+            Self::Seconds if n < 1e-6 => format!("{:.0} ns", n * 1e9),
+            Self::Seconds if n < 1e-3 => format!("{:.1} us", n * 1e6),
             Self::Seconds if n < 0.1 => format!("{:.1} ms", n * 1e3),
             Self::Seconds => format!("{n:.2} s"),
             Self::Bytes if n < 1e4 => format!("{n:.0} B"),

@@ -8,7 +8,7 @@ use crate::crates::{Cost, Crate};
 use crate::peers::{Made, Peer};
 use crate::report::{PEERS, Report, Row, Unit};
 use crate::speed::Speed;
-use crate::{Options, child, crates, flash, pdo, peers, script, speed};
+use crate::{Options, child, crates, flash, pdo, peers, runtime, script, speed};
 
 /// The size that budgets are given for, and that of the crates that `rustc` compiles.
 const SIZE: usize = 5_000;
@@ -26,6 +26,7 @@ mod budget {
     pub const RELEASE: f64 = 0.5;
     pub const PDO: f64 = 1.05;
     pub const FLASH: f64 = 2_000.0;
+    pub const AXIS_SECOND: f64 = 1e-4;
 }
 
 struct Bench<'a> {
@@ -51,6 +52,7 @@ pub fn all(options: &Options, root: &Path) -> Result<Report, Box<dyn Error>> {
     eprintln!("process data");
     let row = Row::new("PDO pack and unpack, over bytes by hand", Unit::Ratio, pdo::ratio());
     bench.report.rows.push(row.budget(budget::PDO));
+    bench.runtime();
     Ok(bench.report)
 }
 
@@ -197,5 +199,36 @@ impl Bench<'_> {
             self.report.rows.push(Row::new(what, Unit::Bytes, more).budget(budget::FLASH));
         }
         Ok(())
+    }
+
+    /// Client, dictionary and virtual drive.
+    fn runtime(&mut self) {
+        eprintln!("client and virtual drive");
+        for entries in [10, 1_000, 50_000] {
+            let what = format!("look-up in a dictionary of {entries} entries");
+            self.report.rows.push(Row::new(what, Unit::Seconds, runtime::look_up(entries)).headline());
+        }
+        let cycle = runtime::cycle().ok_or("the SDV3-E lacks the layouts".into());
+        if let Some([image, hand, whole]) = self.tried("a cycle of the client", cycle) {
+            let what = format!("process image of the client, beside {} by hand", Unit::Seconds.text(hand));
+            self.report.rows.push(Row::new(what, Unit::Seconds, image).headline());
+            self.report
+                .rows
+                .push(Row::new("  the same with the machine of CiA 402", Unit::Seconds, whole).headline());
+        }
+        let axis = runtime::axis_second().ok_or("the virtual drive does not operate".into());
+        if let Some(seconds) = self.tried("a second of a virtual axis", axis) {
+            let row = Row::new("a second of a virtual axis at 1 kHz", Unit::Seconds, seconds);
+            self.report.rows.push(row.budget(budget::AXIS_SECOND));
+        }
+        let flash = flash::enable_and_move(self.root, &self.scratch, &self.target);
+        if let Some(flash) = self.tried("flash of enable and move", flash) {
+            let what = format!("flash to enable and move an axis, beside {} B by hand", flash.hand);
+            self.report.rows.push(Row::new(what, Unit::Bytes, flash.ours as f64).headline());
+        }
+        let ram = std::mem::size_of::<drivewright_runtime::client::axis::Axis>();
+        self.report
+            .rows
+            .push(Row::new("memory of an axis in the client", Unit::Bytes, ram as f64).headline());
     }
 }

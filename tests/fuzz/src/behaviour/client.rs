@@ -31,16 +31,16 @@ pub(super) fn step(input: &[u8]) -> Reached {
     let mut axis = Axis::new(policy(&mut bytes, stays));
     let state = bytes.pick(State::ALL);
     let mut drive = Drive { state, before: Controlword(0), place: bytes.signed32(), mode: Mode::NONE, stays };
-    let (mut request, mut tried) = (Request::Disable, Duration::ZERO);
+    let (mut request, mut tried, mut given) = (Request::Disable, Duration::ZERO, false);
     for _ in 0..ACTIONS {
         if bytes.is_empty() {
             break;
         }
         if bytes.once_in(20) {
-            (request, tried) = (asked(&mut bytes), Duration::ZERO);
+            (request, tried, given) = (asked(&mut bytes), Duration::ZERO, false);
             axis.start(request);
         } else if bytes.once_in(8) {
-            command(&mut axis, &mut bytes);
+            given |= command(&mut axis, &mut bytes);
         }
         let elapsed = Duration::from_millis(bytes.pick(&[1, 1, 1, 10, 10, 10, 10, 100, 100, 5_000]));
         let sample = seen(&drive, &mut bytes);
@@ -48,7 +48,9 @@ pub(super) fn step(input: &[u8]) -> Reached {
         tried += elapsed;
         judge(&axis, request, tried, outputs);
         if !bytes.once_in(10) {
-            obey(&mut drive, &mut bytes, outputs, &axis, request);
+            let made = obey(&mut drive, &mut bytes, outputs);
+            begins(&axis, made.filter(|_| !given), drive.place, outputs, request);
+            follow(&mut drive, outputs);
         }
         reached.sound |= axis.is_enabled();
         reached.codes.extend(ended(&axis));
@@ -96,13 +98,19 @@ fn asked(bytes: &mut Bytes<'_>) -> Request {
     }
 }
 
-fn command(axis: &mut Axis, bytes: &mut Bytes<'_>) {
-    match bytes.byte() % 4 {
-        0 => axis.halt(bytes.once_in(2)),
-        1 => drop(axis.target_velocity(bytes.signed32()).map_err(|error| error.to_string())),
-        2 => drop(axis.target_position(bytes.signed32()).map_err(|error| error.to_string())),
-        _ => axis.set_maker_bits(bytes.word()),
-    }
+/// Whether it gave a target, in an operation that the client believes in.
+fn command(axis: &mut Axis, bytes: &mut Bytes<'_>) -> bool {
+    let given = match bytes.byte() % 4 {
+        0 => return set(axis.halt(bytes.once_in(2))),
+        1 => axis.target_velocity(bytes.signed32()),
+        2 => axis.target_position(bytes.signed32()),
+        _ => return set(axis.set_maker_bits(bytes.word())),
+    };
+    given.map_err(|error| assert!(!error.to_string().is_empty())).is_ok()
+}
+
+fn set((): ()) -> bool {
+    false
 }
 
 /// What arrives of what the drive sends. Nonsense never looks like operation, and never like another place: a drive that
@@ -136,8 +144,8 @@ fn judge(axis: &Axis, request: Request, tried: Duration, outputs: Outputs) {
     assert!(!word.mode_4() || edges, "{word} for {request:?}");
 }
 
-fn obey(drive: &mut Drive, bytes: &mut Bytes<'_>, outputs: Outputs, axis: &Axis, request: Request) {
-    let (word, place) = (outputs.controlword, drive.place);
+fn obey(drive: &mut Drive, bytes: &mut Bytes<'_>, outputs: Outputs) -> Option<Transition> {
+    let word = outputs.controlword;
     let cause = match bytes.byte() {
         0 | 1 => Some(Cause::Fault),
         2..=100 if matches!(drive.state, State::NotReadyToSwitchOn | State::FaultReactionActive) => {
@@ -149,15 +157,19 @@ fn obey(drive: &mut Drive, bytes: &mut Bytes<'_>, outputs: Outputs, axis: &Axis,
     let options = Options { quick_stop_stays: drive.stays, fault_persists: false };
     let made = cause.and_then(|cause| Transition::of(drive.state, cause, options));
     (drive.mode, drive.before) = (outputs.mode, word);
-    let Some(made) = made else { return follow(drive, outputs) };
-    drive.state = made.to();
-    if made.to() == State::OperationEnabled {
-        let limit = axis.policy().seed_limit;
-        let here = outputs.position.abs_diff(place) <= limit || outputs.mode != Mode::CYCLIC_POSITION;
-        assert!(here, "operation begins with the target {} at {place}", outputs.position);
-        assert!(outputs.velocity == 0 && outputs.torque == 0, "operation begins with {outputs:?}");
-        assert!(made.number() != 16 || request == Request::Resume, "transition 16 for {request:?}");
-    }
+    drive.state = made.map_or(drive.state, Transition::to);
+    made
+}
+
+/// How operation begins. A target that the program has given since it asked is its own: messages may be lost so that client
+/// and drive do not agree on whether there is operation.
+fn begins(axis: &Axis, made: Option<Transition>, place: i32, outputs: Outputs, request: Request) {
+    let Some(made) = made.filter(|made| made.to() == State::OperationEnabled) else { return };
+    let limit = axis.policy().seed_limit;
+    let here = outputs.position.abs_diff(place) <= limit || outputs.mode != Mode::CYCLIC_POSITION;
+    assert!(here, "operation begins with the target {} at {place}", outputs.position);
+    assert!(outputs.velocity == 0 && outputs.torque == 0, "operation begins with {outputs:?}");
+    assert!(made.number() != 16 || request == Request::Resume, "transition 16 for {request:?}");
 }
 
 fn follow(drive: &mut Drive, outputs: Outputs) {
