@@ -1,5 +1,7 @@
 //! Clients with mistakes: the search must see each.
 
+use core::time::Duration;
+
 use drivewright_runtime::cia402::{Command, Controlword, State, Statusword};
 use drivewright_runtime::client::axis::{Axis, Outputs, Sample};
 
@@ -29,7 +31,7 @@ fn resuming(axis: &mut Axis, sample: Option<Sample>) -> Outputs {
 
 /// Has no clock, so that no time is ever over.
 fn timeless(axis: &mut Axis, sample: Option<Sample>) -> Outputs {
-    axis.step(CYCLE * 0, sample)
+    axis.step(Duration::ZERO, sample)
 }
 
 /// Takes the drive for switched on, whatever it shows.

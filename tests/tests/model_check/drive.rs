@@ -100,7 +100,7 @@ impl Drive {
         let rises = word.mode_4() && !self.before.mode_4();
         match self.mode {
             Mode::PROFILE_POSITION => {
-                self.reached &= !(rises && !self.acknowledges);
+                self.reached &= !rises || self.acknowledges;
                 self.acknowledges = word.mode_4();
                 if event == Event::Obeys && !rises && !self.reached {
                     (self.place, self.reached) = (self.received.position, true);
@@ -109,7 +109,7 @@ impl Drive {
             Mode::HOMING if rises => self.homing = Homing::Runs,
             Mode::HOMING if self.homing == Homing::Runs && !word.mode_4() => self.homing = Homing::Not,
             Mode::HOMING if self.homing == Homing::Runs && event == Event::Obeys => {
-                self.homing = Homing::Found
+                self.homing = Homing::Found;
             }
             Mode::CYCLIC_POSITION => self.place = self.received.position,
             _ => {}

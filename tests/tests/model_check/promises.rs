@@ -12,6 +12,7 @@ pub(crate) type Broken = &'static str;
 
 /// What was asked for, and what the drive has done since.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
+#[allow(clippy::struct_excessive_bools, reason = "each is a promise of its own")]
 pub(crate) struct Asked {
     goal: Option<Goal>,
     /// Whether operation was asked for and not taken back.
@@ -30,11 +31,10 @@ impl Asked {
             Goal::Enable(mode) => (self.operation, self.mode) = (true, Some(mode)),
             Goal::Reach(State::OperationEnabled) | Goal::Resume => self.operation = true,
             Goal::Select(mode) => self.mode = Some(mode),
-            Goal::Move | Goal::Velocity => {}
             Goal::Home => self.homed = false,
             Goal::Reach(_) | Goal::Disable | Goal::QuickStop => self.operation = false,
             // Without a fault there is nothing to reset, and an axis in operation stays there.
-            Goal::Reset => {}
+            Goal::Move | Goal::Velocity | Goal::Reset => {}
         }
         self.see(drive);
     }
@@ -70,7 +70,7 @@ pub(crate) fn promises(
 ) -> Result<(), Broken> {
     let (drive, asked) = (&world.drive, &world.asked);
     let enters = made.is_some_and(|made| made.to() == State::OperationEnabled);
-    let word = outputs.controlword;
+    let sent = outputs.controlword;
     let promised = [
         (
             !enters || is_seeded(drive, shown.place, world.axis.policy().seed_limit),
@@ -80,9 +80,9 @@ pub(crate) fn promises(
             made.map(Transition::number) != Some(16) || asked.goal == Some(Goal::Resume),
             "transition 16 is not asked for",
         ),
-        (word.level() != Some(Command::EnableOperation) || asked.operation, "operation is not asked for"),
-        (!word.fault_reset() || asked.goal == Some(Goal::Reset), "a fault reset is not asked for"),
-        (!word.mode_4() || matches!(asked.goal, Some(Goal::Move | Goal::Home)), "bit 4 is not asked for"),
+        (sent.level() != Some(Command::EnableOperation) || asked.operation, "operation is not asked for"),
+        (!sent.fault_reset() || asked.goal == Some(Goal::Reset), "a fault reset is not asked for"),
+        (!sent.mode_4() || matches!(asked.goal, Some(Goal::Move | Goal::Home)), "bit 4 is not asked for"),
         (asked.mode.is_none_or(|mode| outputs.mode == Mode(mode) || !word_enables(outputs)), "another mode"),
     ];
     promised.into_iter().find(|(holds, _)| !holds).map_or(Ok(()), |(_, why)| Err(why))

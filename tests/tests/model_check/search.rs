@@ -1,6 +1,7 @@
 //! Breadth first over all that can happen.
 
-use std::collections::{HashMap, VecDeque};
+use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, VecDeque};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use drivewright_runtime::cia402::State;
@@ -82,7 +83,7 @@ impl Search {
     }
 
     pub(crate) fn run(&self) -> Found {
-        let (mut seen, mut queue, mut found) = (HashMap::new(), VecDeque::new(), Found::default());
+        let (mut seen, mut queue, mut found) = (BTreeMap::new(), VecDeque::new(), Found::default());
         for world in self.starts() {
             let id = number(&world);
             seen.insert(id, Seen { from: None, fair: None });
@@ -103,8 +104,8 @@ impl Search {
                 if choice == FAIR {
                     seen.get_mut(&id).expect("it was seen").fair = Some(to);
                 }
-                if !seen.contains_key(&to) {
-                    seen.insert(to, Seen { from: Some((id, choice)), fair: None });
+                if let Entry::Vacant(unseen) = seen.entry(to) {
+                    unseen.insert(Seen { from: Some((id, choice)), fair: None });
                     queue.push_back((to, next));
                 }
             }
@@ -116,7 +117,7 @@ impl Search {
 }
 
 /// How a state was reached.
-fn way(seen: &HashMap<u64, Seen>, mut at: u64, last: Choice) -> Vec<Choice> {
+fn way(seen: &BTreeMap<u64, Seen>, mut at: u64, last: Choice) -> Vec<Choice> {
     let mut way = vec![last];
     while let Some((from, choice)) = seen.get(&at).and_then(|s| s.from) {
         way.push(choice);
@@ -127,8 +128,8 @@ fn way(seen: &HashMap<u64, Seen>, mut at: u64, last: Choice) -> Vec<Choice> {
 }
 
 /// The longest way to the end where everything works from now on; `usize::MAX` where there is none.
-fn longest(seen: &HashMap<u64, Seen>) -> usize {
-    let mut known: HashMap<u64, usize> = HashMap::new();
+fn longest(seen: &BTreeMap<u64, Seen>) -> usize {
+    let mut known: BTreeMap<u64, usize> = BTreeMap::new();
     for start in seen.keys() {
         let (mut path, mut at) = (Vec::new(), *start);
         let end = loop {
@@ -157,10 +158,10 @@ const WILD: &[Message] = &[Message::Arrives, Message::Lost, Message::Old];
 const BOUND: usize = 60;
 
 /// 605Ah keeps quick stop active or not, where that matters: also to who finds a drive in that state.
-fn with_options(plan: Vec<Goal>) -> Vec<(Vec<Goal>, bool)> {
+fn with_options(plan: &[Goal]) -> Vec<(Vec<Goal>, bool)> {
     let matters = [Goal::QuickStop, Goal::Resume, Goal::Reach(State::SwitchedOn), Goal::Enable(9)];
     let both = matters.iter().any(|goal| plan.contains(goal));
-    [false, true].into_iter().filter(|stays| both || !stays).map(|stays| (plan.clone(), stays)).collect()
+    [false, true].into_iter().filter(|stays| both || !stays).map(|stays| (plan.to_vec(), stays)).collect()
 }
 
 /// Searches all plans; gives the number of states and of steps between them.
@@ -171,7 +172,7 @@ fn searched(
     anytime: bool,
 ) -> (usize, usize) {
     let (mut states, mut steps) = (0, 0);
-    for (plan, stays) in plans.into_iter().flat_map(with_options) {
+    for (plan, stays) in plans.iter().flat_map(|plan| with_options(plan)) {
         let search =
             Search { plan, stays, outputs: messages, samples: messages, faults, anytime, client: real };
         let found = search.run();
@@ -181,19 +182,20 @@ fn searched(
         states += found.states;
         steps += found.steps;
     }
-    println!("{states} states, {steps} steps");
     (states, steps)
 }
 
 #[test]
 fn nothing_goes_wrong_with_lost_messages_and_a_fault() {
     let (states, steps) = searched(plans(), LOSSY, 1, false);
+    println!("{states} states, {steps} steps");
     assert!(states > 200_000 && steps > 1_000_000, "{states}, {steps}");
 }
 
 #[test]
 fn nothing_goes_wrong_with_lost_and_repeated_messages() {
     let (states, steps) = searched(plans(), WILD, 0, false);
+    println!("{states} states, {steps} steps");
     assert!(states > 100_000 && steps > 500_000, "{states}, {steps}");
 }
 
@@ -206,5 +208,6 @@ fn nothing_goes_wrong_with_goals_that_are_given_up() {
     plans.extend([vec![Enable(6), Home, Disable], vec![Enable(6), Home, Home], vec![Enable(1), Move, Move]]);
     plans.push(vec![Enable(1), Move, QuickStop]);
     let (states, steps) = searched(plans, LOSSY, 0, true);
+    println!("{states} states, {steps} steps");
     assert!(states > 100_000 && steps > 500_000, "{states}, {steps}");
 }
