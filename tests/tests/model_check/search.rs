@@ -165,12 +165,7 @@ fn with_options(plan: &[Goal]) -> Vec<(Vec<Goal>, bool)> {
 }
 
 /// Searches all plans; gives the number of states and of steps between them.
-fn searched(
-    plans: Vec<Vec<Goal>>,
-    messages: &'static [Message],
-    faults: u8,
-    anytime: bool,
-) -> (usize, usize) {
+fn searched(plans: &[Vec<Goal>], messages: &'static [Message], faults: u8, anytime: bool) -> (usize, usize) {
     let (mut states, mut steps) = (0, 0);
     for (plan, stays) in plans.iter().flat_map(|plan| with_options(plan)) {
         let search =
@@ -187,14 +182,14 @@ fn searched(
 
 #[test]
 fn nothing_goes_wrong_with_lost_messages_and_a_fault() {
-    let (states, steps) = searched(plans(), LOSSY, 1, false);
+    let (states, steps) = searched(&plans(), LOSSY, 1, false);
     println!("{states} states, {steps} steps");
     assert!(states > 200_000 && steps > 1_000_000, "{states}, {steps}");
 }
 
 #[test]
 fn nothing_goes_wrong_with_lost_and_repeated_messages() {
-    let (states, steps) = searched(plans(), WILD, 0, false);
+    let (states, steps) = searched(&plans(), WILD, 0, false);
     println!("{states} states, {steps} steps");
     assert!(states > 100_000 && steps > 500_000, "{states}, {steps}");
 }
@@ -207,7 +202,7 @@ fn nothing_goes_wrong_with_goals_that_are_given_up() {
     let mut plans: Vec<Vec<Goal>> = goals.iter().flat_map(|a| goals.map(|b| vec![*a, b])).collect();
     plans.extend([vec![Enable(6), Home, Disable], vec![Enable(6), Home, Home], vec![Enable(1), Move, Move]]);
     plans.push(vec![Enable(1), Move, QuickStop]);
-    let (states, steps) = searched(plans, LOSSY, 0, true);
+    let (states, steps) = searched(&plans, LOSSY, 0, true);
     println!("{states} states, {steps} steps");
     assert!(states > 100_000 && steps > 500_000, "{states}, {steps}");
 }
