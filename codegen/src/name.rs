@@ -94,6 +94,10 @@ fn is_plural(part: &[u8], at: usize) -> bool {
 
 /// The abbreviation at `at`, with the `s` of its plural; one inside of a word, as in `SpeCiAl`, is none.
 fn whole(part: &[u8], at: usize) -> Option<&[u8]> {
+    // All of them begin so, and few letters of a text do.
+    if !part[at].is_ascii_uppercase() {
+        return None;
+    }
     let word = WHOLE.iter().find(|w| part[at..].starts_with(w.as_bytes()))?;
     let end = at + word.len();
     let plural = is_plural(part, end);

@@ -131,7 +131,7 @@ struct File {
 
 impl File {
     fn new(source: Source) -> Self {
-        let breaks = source.text.bytes().enumerate().filter(|(_, b)| *b == b'\n').map(|(at, _)| at + 1);
+        let breaks = source.text.match_indices('\n').map(|(at, _)| at + 1);
         let lines = std::iter::once(0).chain(breaks).collect();
         let sum = |before: &mut usize, part: &[u8]| {
             let here = *before;
@@ -166,6 +166,9 @@ impl File {
 
 /// How many characters begin in a part of a text.
 fn begun(part: &[u8]) -> usize {
+    if part.is_ascii() {
+        return part.len();
+    }
     part.iter().filter(|b| !(0x80..0xC0).contains(*b)).count()
 }
 

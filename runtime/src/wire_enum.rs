@@ -170,8 +170,8 @@ macro_rules! wire_enum {
         }
     ) => {
         // As few and as short bodies as do: each costs every user of a drive with hundreds of tables. `PartialEq` must be
-        // derived, so that constants are patterns; `Clone` and `Eq` are cheaper by hand. Attributes cost, too, and bodies as
-        // small as these are inlined without one.
+        // derived, so that constants are patterns; `Clone` and `Eq` are cheaper by hand. Attributes cost, too: only what
+        // calls something needs `inline` to be compiled by its users alone.
         $(#[$meta])*
         #[derive(PartialEq)]
         #[repr(transparent)]
@@ -191,6 +191,7 @@ macro_rules! wire_enum {
             };
 
             /// The name in words; `None` for a number that the manual does not name.
+            #[inline]
             $vis fn name(self) -> ::core::option::Option<&'static str> {
                 Self::DESC.name_of(self.0 as i128)
             }
@@ -219,6 +220,7 @@ macro_rules! wire_enum {
         }
 
         impl ::core::fmt::Debug for $name {
+            #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 $crate::wire_enum::debug(f, Self::DESC, self.0 as i128)
             }

@@ -50,7 +50,7 @@ pub fn one_line(text: &str) -> String {
 
 /// Whether `text` is printable ASCII, as nearly every text is: then no character of it is looked at twice.
 fn is_plain(text: &str) -> bool {
-    begins_with(text, &PRINTABLE) == text.len()
+    begins_with(text.as_bytes(), &PRINTABLE) == text.len()
 }
 
 /// Bytes, as a table.
@@ -75,10 +75,9 @@ const fn printable_but(special: &[u8]) -> Bytes {
     all
 }
 
-/// How many bytes at the start of `text` are among `some`, which are ASCII. A plain loop, since it is where a compiler that
+/// How many of the first `bytes` are among `some`, which are ASCII. A plain loop, since it is where a compiler that
 /// nobody optimized, that of a build script, spends its time.
-fn begins_with(text: &str, some: &Bytes) -> usize {
-    let bytes = text.as_bytes();
+fn begins_with(bytes: &[u8], some: &Bytes) -> usize {
     let mut at = 0;
     while at < bytes.len() && some[bytes[at] as usize] {
         at += 1;
@@ -91,7 +90,7 @@ fn escaped(text: &str, plain: &Bytes, mut one: impl FnMut(&mut String, usize, ch
     let mut out = String::with_capacity(text.len());
     let mut at = 0;
     loop {
-        let same = begins_with(&text[at..], plain);
+        let same = begins_with(&text.as_bytes()[at..], plain);
         out.push_str(&text[at..at + same]);
         at += same;
         let Some(c) = text[at..].chars().next() else { return out };
@@ -122,6 +121,12 @@ pub fn visible(text: &str) -> String {
 /// A JSON text in which strings hold hidden characters: the same with those as escapes.
 pub fn json(text: &str) -> String {
     escaped(text, &PRINTABLE, |out, _, c| json_char(out, c))
+}
+
+/// How many of the first `bytes`, which are inside of a JSON string, are neither its end nor an escape, nor hidden.
+pub fn json_plain(bytes: &[u8]) -> usize {
+    const PLAIN: Bytes = printable_but(b"\"\\");
+    begins_with(bytes, &PLAIN)
 }
 
 /// A character inside a JSON string that `serde_json` has quoted; a hidden one becomes an escape.
@@ -239,7 +244,10 @@ pub fn toml_str(text: &str) -> String {
 /// A value in an INI file (EDS, DCF): one line of printable ASCII without the signs that some reader takes for a comment,
 /// an escape or a quote. What ASCII cannot say becomes `?`.
 pub fn ini(text: &str) -> String {
-    let ascii = sii(text).replace('#', "No.").replace(';', ",").replace('\\', "/");
+    const PLAIN: Bytes = printable_but(b"#;\\");
+    let ascii = sii(text);
+    let plain = begins_with(ascii.as_bytes(), &PLAIN) == ascii.len();
+    let ascii = if plain { ascii } else { ascii.replace('#', "No.").replace(';', ",").replace('\\', "/") };
     ascii.trim_start_matches([' ', '"', '\'']).trim_end().to_owned()
 }
 

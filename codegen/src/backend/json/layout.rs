@@ -1,22 +1,28 @@
 //! Breaks JSON text into lines that a person can read and compare: a fact is one line, and so is every list or object
 //! without another one in it.
 
-use crate::emit::escape::json_char;
+use crate::emit::escape::{json_char, json_plain};
 
 /// The compact JSON `text` in lines, with a line feed at its end. Hidden characters become escapes.
 pub(super) fn lines(text: &str) -> String {
     let mut printer = Printer { out: String::with_capacity(text.len() * 2), open: Vec::new() };
     let mut in_string = false;
     let mut escaped = false;
-    for (at, c) in text.char_indices() {
-        if in_string {
+    let mut rest = text;
+    while let Some(c) = rest.chars().next() {
+        let mut length = c.len_utf8();
+        if !in_string {
+            in_string = c == '"';
+            printer.mark(c, rest);
+        } else if let same @ 1.. = if escaped { 0 } else { json_plain(rest.as_bytes()) } {
+            printer.out.push_str(&rest[..same]);
+            length = same;
+        } else {
             json_char(&mut printer.out, c);
             in_string = escaped || c != '"';
             escaped = c == '\\' && !escaped;
-        } else {
-            in_string = c == '"';
-            printer.mark(c, &text[at..]);
         }
+        rest = &rest[length..];
     }
     printer.out.push('\n');
     printer.out
@@ -81,14 +87,23 @@ fn one_line(text: &str) -> bool {
 
 fn is_flat(text: &str) -> bool {
     let (mut in_string, mut escaped) = (false, false);
-    for b in text.bytes().skip(1) {
+    let mut rest = text.as_bytes().get(1..).unwrap_or_default();
+    while let [b, after @ ..] = rest {
+        if in_string
+            && !escaped
+            && let same @ 1.. = json_plain(rest)
+        {
+            rest = &rest[same..];
+            continue;
+        }
         match b {
             b'{' | b'[' if !in_string => return false,
             b'}' | b']' if !in_string => return true,
             b'"' if !escaped => in_string = !in_string,
             _ => {}
         }
-        escaped = b == b'\\' && !escaped;
+        escaped = *b == b'\\' && !escaped;
+        rest = after;
     }
     true
 }

@@ -37,12 +37,23 @@ struct Context {
     example: Option<String>,
 }
 
+/// What the manifest says.
+#[derive(Serialize)]
+struct Manifest<'m> {
+    package: &'m str,
+    version: &'m str,
+    vendor: String,
+    name: String,
+}
+
 /// The manifest. Ids and versions are checked when they are read, so that they need no escaping.
 pub(super) fn cargo_toml(model: &Model) -> String {
-    let context = Context {
-        vendor: toml_text(&model.drive.vendor),
-        name: toml_text(&model.drive.name),
-        ..context(model)
+    let drive = &model.drive;
+    let context = Manifest {
+        package: &drive.package,
+        version: &drive.crate_version,
+        vendor: toml_text(&drive.vendor),
+        name: toml_text(&drive.name),
     };
     render(include_str!("res/Cargo.toml.j2"), &context)
 }
