@@ -107,12 +107,19 @@ fn escape_into(out: &mut String, text: &str, plain: &Bytes, mut one: impl FnMut(
 
 /// Text inside one line of plain text, from which the text can be read back: hidden characters as `\u{202e}`.
 pub fn plain_line(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    push_plain_line(&mut out, text);
+    out
+}
+
+/// Adds to `out` what [`plain_line`] gives.
+pub fn push_plain_line(out: &mut String, text: &str) {
     const PLAIN: Bytes = printable_but(b"\\");
-    escaped(text, &PLAIN, |out, _, c| match c {
+    escape_into(out, text, &PLAIN, |out, _, c| match c {
         '\\' => out.push_str("\\\\"),
         c if is_hidden(c) => out.extend(c.escape_unicode()),
         c => out.push(c),
-    })
+    });
 }
 
 /// Text for a person to read, of one line or several: hidden characters but line feeds as `\u{202e}`. Not to be read back.
