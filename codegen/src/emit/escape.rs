@@ -86,27 +86,40 @@ fn begins_with(bytes: &[u8], some: &Bytes) -> usize {
 }
 
 /// `text`, in which `one` writes each character that is not among `plain`; it is told where the character stands.
-fn escaped(text: &str, plain: &Bytes, mut one: impl FnMut(&mut String, usize, char)) -> String {
+fn escaped(text: &str, plain: &Bytes, one: impl FnMut(&mut String, usize, char)) -> String {
     let mut out = String::with_capacity(text.len());
+    escape_into(&mut out, text, plain, one);
+    out
+}
+
+/// Adds to `out` what [`escaped`] gives.
+fn escape_into(out: &mut String, text: &str, plain: &Bytes, mut one: impl FnMut(&mut String, usize, char)) {
     let mut at = 0;
     loop {
         let same = begins_with(&text.as_bytes()[at..], plain);
         out.push_str(&text[at..at + same]);
         at += same;
-        let Some(c) = text[at..].chars().next() else { return out };
-        one(&mut out, at, c);
+        let Some(c) = text[at..].chars().next() else { return };
+        one(out, at, c);
         at += c.len_utf8();
     }
 }
 
 /// Text inside one line of plain text, from which the text can be read back: hidden characters as `\u{202e}`.
 pub fn plain_line(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    push_plain_line(&mut out, text);
+    out
+}
+
+/// Adds to `out` what [`plain_line`] gives.
+pub fn push_plain_line(out: &mut String, text: &str) {
     const PLAIN: Bytes = printable_but(b"\\");
-    escaped(text, &PLAIN, |out, _, c| match c {
+    escape_into(out, text, &PLAIN, |out, _, c| match c {
         '\\' => out.push_str("\\\\"),
         c if is_hidden(c) => out.extend(c.escape_unicode()),
         c => out.push(c),
-    })
+    });
 }
 
 /// Text for a person to read, of one line or several: hidden characters but line feeds as `\u{202e}`. Not to be read back.
@@ -123,14 +136,22 @@ pub fn json(text: &str) -> String {
     escaped(text, &PRINTABLE, |out, _, c| json_char(out, c))
 }
 
-/// How many of the first `bytes`, which are inside of a JSON string, are neither its end nor an escape, nor hidden.
-pub fn json_plain(bytes: &[u8]) -> usize {
+/// Adds `text` inside a JSON string, without the quotes.
+pub fn json_str(out: &mut String, text: &str) {
     const PLAIN: Bytes = printable_but(b"\"\\");
-    begins_with(bytes, &PLAIN)
+    escape_into(out, text, &PLAIN, |out, _, c| match c {
+        '"' | '\\' => out.extend(['\\', c]),
+        '\n' => out.push_str("\\n"),
+        '\r' => out.push_str("\\r"),
+        '\t' => out.push_str("\\t"),
+        '\u{8}' => out.push_str("\\b"),
+        '\u{C}' => out.push_str("\\f"),
+        c => json_char(out, c),
+    });
 }
 
-/// A character inside a JSON string that `serde_json` has quoted; a hidden one becomes an escape.
-pub fn json_char(out: &mut String, c: char) {
+/// A character inside a JSON string that needs no quoting; a hidden one becomes an escape.
+fn json_char(out: &mut String, c: char) {
     if !is_hidden(c) {
         return out.push(c);
     }

@@ -192,7 +192,9 @@ impl<'m> Lines<'m> {
 
     /// The name of code, where it is not the printed one.
     fn rename(&mut self, printed: &str, name: &Name) {
-        if Name::new(printed).is_none_or(|p| p.words() != name.words()) {
+        let same = || Name::new(printed).is_some_and(|p| p.words() == name.words());
+        // A name that nobody chose is the printed text: that saves splitting it again.
+        if name.original() != printed && !same() {
             self.own("rename", name);
         }
     }

@@ -121,6 +121,13 @@ const SYMBOLS: &[(&str, Quantity, u32, u32)] = &[
     ("m", Quantity::Length, 1, 1),
 ];
 
+/// What a symbol measures, and how many base units one of it is.
+fn of_symbol(text: &str) -> Option<(Quantity, u32, u32)> {
+    // The length first: comparing texts is a call of its own where nobody optimized.
+    let found = SYMBOLS.iter().find(|(symbol, ..)| symbol.len() == text.len() && *symbol == text);
+    found.map(|(_, quantity, num, den)| (*quantity, *num, *den))
+}
+
 impl Quantity {
     /// Whether a value of one quantity can be one of the other: the same, or the user's unit of it.
     pub fn can_be(self, other: Self) -> bool {
@@ -214,14 +221,13 @@ impl Unit {
     pub fn counts(&self, text: &str) -> Result<i128, CountsError> {
         let (number, symbol) = text.split_once(' ').ok_or(CountsError::Number)?;
         let (num, den) = parse_decimal(number).ok_or(CountsError::Number)?;
-        let (_, quantity, n, d) =
-            SYMBOLS.iter().find(|s| s.0 == symbol).ok_or_else(|| CountsError::Symbol(symbol.to_owned()))?;
-        if *quantity != self.quantity {
-            return Err(CountsError::Quantity(*quantity));
+        let (quantity, n, d) = of_symbol(symbol).ok_or_else(|| CountsError::Symbol(symbol.to_owned()))?;
+        if quantity != self.quantity {
+            return Err(CountsError::Quantity(quantity));
         }
         // No product overflows: a decimal has at most 18 digits, a factor at most 9 before and behind the stroke.
-        let above = num * i128::from(*n) * i128::from(self.den);
-        let below = den * i128::from(*d) * i128::from(self.num);
+        let above = num * i128::from(n) * i128::from(self.den);
+        let below = den * i128::from(d) * i128::from(self.num);
         if above % below == 0 {
             Ok(above / below)
         } else {
@@ -240,14 +246,12 @@ impl Unit {
             _ => ("1", text),
         };
         let (num, den) = parse_factor(factor).ok_or_else(|| UnitError::Factor(factor.to_owned()))?;
-        let (_, quantity, n, d) = SYMBOLS
-            .iter()
-            .find(|s| s.0 == symbol.trim())
-            .ok_or_else(|| UnitError::Symbol(symbol.trim().to_owned()))?;
-        let (num, den) = reduce(num * u64::from(*n), den * u64::from(*d));
+        let symbol = symbol.trim();
+        let (quantity, n, d) = of_symbol(symbol).ok_or_else(|| UnitError::Symbol(symbol.to_owned()))?;
+        let (num, den) = reduce(num * u64::from(n), den * u64::from(d));
         let bounded = |n: u64| u32::try_from(n).ok().filter(|n| *n <= limits::FACTOR);
         match (bounded(num), bounded(den)) {
-            (Some(num), Some(den)) => Ok(Self { text: text.to_owned(), quantity: *quantity, num, den }),
+            (Some(num), Some(den)) => Ok(Self { text: text.to_owned(), quantity, num, den }),
             _ => Err(UnitError::Factor(factor.to_owned())),
         }
     }

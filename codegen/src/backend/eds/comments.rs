@@ -32,7 +32,7 @@ pub(super) fn lines(model: &Model, sheet: &Sheet) -> Vec<String> {
     let mut text = vec![HEAD.to_owned()];
     text.extend(model.manuals.iter().map(manual));
     text.push("What CiA 306 demands and the manual does not state:".to_owned());
-    text.extend(assumed::sentences(model, sheet));
+    text.extend(assumed::sentences(model));
     if !sheet.mapped.is_empty() {
         text.push(format!("{MAPPED} {}", list(&sheet.mapped)));
     }

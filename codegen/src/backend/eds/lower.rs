@@ -16,10 +16,6 @@ pub(super) struct Sheet {
     pub(super) objects: Vec<Section>,
     /// What of the model the sheet does not hold.
     pub(super) losses: Losses,
-    /// Entries whose `PDOMapping` is 0 because nobody says whether they can be mapped.
-    pub(super) unmapped: Vec<Address>,
-    /// Entries at sub-index 0 that state the highest sub-index because nobody states a default.
-    pub(super) counted: Vec<Address>,
     /// Entries at sub-index 0 whose default is another number than the highest sub-index: how much is mapped or assigned.
     pub(super) mapped: Vec<Address>,
 }
@@ -49,20 +45,16 @@ pub(super) struct Keys {
 
 /// Longest text of the drive: with the longest key, a line stays below 255 characters.
 const TEXT: usize = 240;
+/// The indexes below it are those of data types.
+pub(super) const FIRST: u16 = 0x1000;
 const MANDATORY: [u16; 3] = [0x1000, 0x1001, 0x1018];
 
 /// Lowers a drive.
 pub(super) fn lower(model: &Model) -> Sheet {
-    let mut sheet = Sheet {
-        objects: Vec::new(),
-        losses: Losses::default(),
-        unmapped: Vec::new(),
-        counted: Vec::new(),
-        mapped: Vec::new(),
-    };
+    let mut sheet = Sheet { objects: Vec::new(), losses: Losses::default(), mapped: Vec::new() };
     let maps = mapped_entries(model);
     for (object, name) in model.objects.as_slice().iter().zip(names::of_objects(model)) {
-        if object.index < 0x1000 {
+        if object.index < FIRST {
             sheet.losses.add(Loss::IndexOfDataTypes, Address::new(object.index, 0), object.name.span());
             continue;
         }
@@ -127,7 +119,7 @@ fn section(
     if !variable && names::text(printed) != printed {
         sheet.losses.add(Loss::NameChanged, here, object.name.span());
     }
-    let highest = entries().map(|e| e.address.sub).filter(|sub| *sub != 0xFF).max();
+    let highest = highest(object, model);
     let names = names::of_entries(object, model);
     let mut section = Section { index: object.index, name, kind, entries: Vec::new() };
     for (entry, name) in entries().zip(names) {
@@ -139,6 +131,11 @@ fn section(
         section.entries.push(keys(entry, name, count, maps.get(&entry.address), sheet));
     }
     section
+}
+
+/// The highest sub-index of an object; FFh is none of the object's own.
+pub(super) fn highest(object: &Object, model: &Model) -> Option<u8> {
+    object.entries.iter().map(|id| model.entries[*id].address.sub).filter(|sub| *sub != 0xFF).max()
 }
 
 /// `count` is the highest sub-index at sub-index 0 of an array or record; `map` what the default process data says.
@@ -154,12 +151,6 @@ fn keys(entry: &Entry, name: String, count: Option<u8>, map: Option<&i128>, shee
     let domain = entry.ty.value == Type::Domain;
     if domain && mappable == Some(true) {
         lose(Loss::MappedDomain);
-    }
-    if mappable.is_none() && !domain {
-        sheet.unmapped.push(address);
-    }
-    if entry.default.is_none() && map.is_none() && count.is_some() && default.is_some() {
-        sheet.counted.push(address);
     }
     if count.is_some_and(|n| default.is_some_and(|d| d != Default::Int(n.into()))) {
         sheet.mapped.push(address);

@@ -81,7 +81,7 @@ pub(crate) fn configured(model: &Model, commissioning: &Commissioning<'_>) -> St
 
 /// What the sheet of a drive assumes, in sentences.
 pub(super) fn assumptions(model: &Model) -> Vec<String> {
-    assumed::sentences(model, &lower::lower(model))
+    assumed::sentences(model)
 }
 
 fn path(model: &Model) -> String {

@@ -3,10 +3,11 @@
 use std::fmt::Display;
 
 use super::Commissioning;
+use super::assumed::granularity;
 use super::lower::{Keys, List, Section, Sheet, drive_text};
 use super::value::{self, Default};
 use crate::emit::escape;
-use crate::model::{Access, Address, Model, ObjectKind, Type};
+use crate::model::{Address, Model, ObjectKind, Type};
 
 /// Lines that end with CR/LF. No value can end its line, so none can open a section.
 #[derive(Default)]
@@ -111,7 +112,7 @@ fn device_info(model: &Model, sheet: &Sheet, ini: &mut Ini) {
         ini.key(format_args!("BaudRate_{rate}"), 0);
     }
     ini.keys(&["SimpleBootUpMaster", "SimpleBootUpSlave"], 0);
-    ini.key("Granularity", granularity(sheet));
+    ini.key("Granularity", granularity(model));
     ini.keys(&["DynamicChannelsSupported", "GroupMessaging"], 0);
     ini.key("NrOfRXPDO", pdos(0x1600));
     ini.key("NrOfTXPDO", pdos(0x1A00));
@@ -132,13 +133,6 @@ fn device_commissioning(commissioning: &Commissioning<'_>, ini: &mut Ini) {
     if let Some(serial) = commissioning.serial {
         ini.key("LSS_SerialNumber", format_args!("0x{serial:X}"));
     }
-}
-
-/// How finely process data can be mapped: by bytes where a mapping can be written, else 0 for not at all.
-pub(super) fn granularity(sheet: &Sheet) -> u8 {
-    let maps = sheet.objects.iter().filter(|o| matches!(o.index, 0x1600..=0x17FF | 0x1A00..=0x1BFF));
-    let writable = maps.flat_map(|o| &o.entries).any(|e| e.sub > 0 && e.access == Access::Rw);
-    if writable { 8 } else { 0 }
 }
 
 fn section(object: &Section, commissioning: Option<&Commissioning<'_>>, ini: &mut Ini) {

@@ -1,11 +1,9 @@
 //! Homing, modes, states, terminals, rules and examples: their shape, and how the model becomes it.
 
-use serde::ser::SerializeMap;
-use serde::{Serialize, Serializer};
-
 use super::known::{known, maybe};
 use super::schema::{Field, Shape, Struct};
 use super::value::{Integer, Known, Word, shapes};
+use super::write::{Json, Writer};
 use crate::model::{
     self, Address, Edge, EmcyContent, HomingSignal, HomingStart, HomingStatus, Model, Occasion, Side, Signal,
     TerminalKind,

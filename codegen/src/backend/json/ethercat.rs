@@ -1,11 +1,9 @@
 //! The EtherCAT side: its shape, and how the model becomes it.
 
-use serde::ser::SerializeMap;
-use serde::{Serialize, Serializer};
-
 use super::known::{known, maybe};
 use super::schema::{Field, Shape, Struct};
 use super::value::{Integer, Known, Word, shapes};
+use super::write::{Json, Writer};
 use crate::model::{
     self, CoeFeature, DcSync, FmmuUse, MailboxProtocol, Model, RevisionCheck, SyncManagerUse, Transition,
 };

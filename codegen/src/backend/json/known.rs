@@ -7,9 +7,9 @@ use crate::model::{Class, Fact, Model, Origin};
 pub(super) fn known<'m, T>(model: &'m Model, value: T, origin: &'m Origin) -> Known<'m, T> {
     let detail = match &origin.class {
         Class::Stated => None,
-        Class::Inferred(rule) => Some(("rule", rule.as_str())),
-        Class::Standard(base) => Some(("base", base.as_str())),
-        Class::Assumed(reason) => Some(("reason", reason.as_str())),
+        Class::Inferred(rule) => Some(("\"rule\": ", rule.as_str())),
+        Class::Standard(base) => Some(("\"base\": ", base.as_str())),
+        Class::Assumed(reason) => Some(("\"reason\": ", reason.as_str())),
     };
     Known {
         value,

@@ -1,16 +1,16 @@
 //! `model.json`: the whole model for other programs.
 //!
-//! [`shape`] is the file as types, [`lower`] fills them from the model, [`layout`] breaks the text into lines, and
+//! [`shape`] is the file as types, [`lower`] fills them from the model, [`write`] writes them in lines, and
 //! [`schema`] describes it from the same types. The file is a format of its own: the model may change behind it.
 
 mod behaviour;
 mod ethercat;
 mod known;
-mod layout;
 mod lower;
 mod schema;
 mod shape;
 mod value;
+mod write;
 
 pub use schema::model_schema;
 
@@ -27,8 +27,8 @@ pub const FORMAT: u8 = 1;
 
 /// The document as a value, for programs that compare models.
 pub fn value(model: &Model) -> serde_json::Value {
-    // Text, numbers, lists and structs: none of them can fail to become JSON.
-    serde_json::to_value(lower::document(model)).unwrap_or_default()
+    // What is written can be read.
+    serde_json::from_str(&text(model)).unwrap_or_default()
 }
 
 impl Backend for Json {
@@ -37,10 +37,11 @@ impl Backend for Json {
     }
 
     fn emit(&self, model: &Model, out: &mut FileSet, _sink: &mut Sink) {
-        // Text, numbers, lists and structs: none of them can fail to become JSON.
-        if let Ok(compact) = serde_json::to_string(&lower::document(model)) {
-            // The path is a literal that every RelPath rule allows.
-            let _ = out.add("model.json", layout::lines(&compact));
-        }
+        // The path is a literal that every RelPath rule allows.
+        let _ = out.add("model.json", text(model));
     }
+}
+
+fn text(model: &Model) -> String {
+    write::text(&lower::document(model))
 }

@@ -2,13 +2,11 @@
 //!
 //! Keys come in the order of the fields. A key whose value nobody states is left out; lists are always there.
 
-use serde::ser::SerializeMap;
-use serde::{Serialize, Serializer};
-
 use super::behaviour::{Abort, Command, Emcy, Example, Homing, Mode, Rule, State, Terminal};
 use super::ethercat::{Coe, DcMode, EtherCat, Fmmu, StartUp, SyncManager};
 use super::schema::{Field, Shape, Struct};
 use super::value::{Integer, Known, Word, shapes};
+use super::write::{Json, Writer};
 use crate::model::{
     Access, Direction, Effect, EsmAfter, EsmState, Led, Mapping, ObjectKind, Quantity, Reset, Sure, SyncMode,
     Type,

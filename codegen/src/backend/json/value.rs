@@ -1,8 +1,5 @@
 //! What the values of `model.json` are made of: facts, whole numbers, words, and the macro that makes structs of them.
 
-use serde::ser::SerializeMap;
-use serde::{Serialize, Serializer};
-
 use crate::model::{Mapping, Quantity, Type, Worded};
 
 /// Defines structs that are written as JSON objects and described by the schema.
@@ -29,11 +26,16 @@ macro_rules! shapes {
             } ),+];
         }
 
-        impl $(<$lt>)? Serialize for $name $(<$lt>)? {
-            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-                let mut map = serializer.serialize_map(None)?;
-                $( shapes!(@write $need map, $key, &self.$field); )+
-                map.end()
+        impl $(<$lt>)? Json for $name $(<$lt>)? {
+            const NESTED: bool = true;
+
+            fn write(&self, out: &mut Writer) {
+                let nested = false $( || shapes!(@nested $need $ty, &self.$field) )+;
+                // What begins with its value is one line, as a fact is.
+                let valued = Self::FIELDS.first().is_some_and(|field| field.key == "value");
+                out.object(valued || !nested, |out| {
+                    $( shapes!(@write $need out, concat!("\"", $key, "\": "), &self.$field); )+
+                });
             }
         }
     )+};
@@ -41,10 +43,12 @@ macro_rules! shapes {
     (@type optional $ty:ty) => { Option<$ty> };
     (@required required) => { true };
     (@required optional) => { false };
-    (@write required $map:ident, $key:literal, $value:expr) => { $map.serialize_entry($key, $value)? };
-    (@write optional $map:ident, $key:literal, $value:expr) => {
+    (@nested required $ty:ty, $value:expr) => { <$ty as Json>::NESTED };
+    (@nested optional $ty:ty, $value:expr) => { <$ty as Json>::NESTED && $value.is_some() };
+    (@write required $out:ident, $key:expr, $value:expr) => { $out.field($key, $value) };
+    (@write optional $out:ident, $key:expr, $value:expr) => {
         if let Some(value) = $value {
-            $map.serialize_entry($key, value)?;
+            $out.field($key, value);
         }
     };
 }
@@ -56,28 +60,10 @@ pub(super) struct Known<'m, T> {
     pub(super) value: T,
     /// `stated`, `inferred`, `standard` or `assumed`.
     pub(super) class: &'static str,
-    /// Key and text of what comes with the class.
+    /// Key, quoted and with its colon, and text of what comes with the class.
     pub(super) detail: Option<(&'static str, &'m str)>,
     pub(super) cite: Option<String>,
     pub(super) erratum: Option<&'m str>,
-}
-
-impl<T: Serialize> Serialize for Known<'_, T> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("value", &self.value)?;
-        map.serialize_entry("class", self.class)?;
-        if let Some((key, text)) = self.detail {
-            map.serialize_entry(key, text)?;
-        }
-        if let Some(cite) = &self.cite {
-            map.serialize_entry("cite", cite)?;
-        }
-        if let Some(erratum) = self.erratum {
-            map.serialize_entry("erratum", erratum)?;
-        }
-        map.end()
-    }
 }
 
 /// A whole number of up to 64 bits. Beyond 2^53 - 1 it is written as text in decimal, because many readers of JSON would
@@ -88,25 +74,15 @@ pub(super) struct Integer(pub(super) i128);
 impl Integer {
     /// The largest that every reader keeps exact.
     pub(super) const EXACT: i64 = (1 << 53) - 1;
-}
 
-impl Serialize for Integer {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match i64::try_from(self.0).ok().filter(|n| n.unsigned_abs() <= Self::EXACT.unsigned_abs()) {
-            Some(n) => serializer.serialize_i64(n),
-            None => serializer.collect_str(&self.0),
-        }
+    /// The number, if every reader keeps it.
+    pub(super) fn exact(self) -> Option<i64> {
+        i64::try_from(self.0).ok().filter(|n| n.unsigned_abs() <= Self::EXACT.unsigned_abs())
     }
 }
 
 /// A value written as a word.
 pub(super) struct Word<T>(pub(super) T);
-
-impl<T: Words> Serialize for Word<T> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.0.text())
-    }
-}
 
 /// Values that a fixed list of words stands for.
 pub(super) trait Words: Sized {

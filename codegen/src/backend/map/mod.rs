@@ -2,12 +2,10 @@
 //!
 //! A line depends on its fact alone: column widths are fixed and nothing is wrapped, so a changed value is a changed line.
 
-use std::fmt::Write;
-
 use super::Backend;
 use crate::diag::Sink;
 use crate::emit::FileSet;
-use crate::emit::escape::plain_line;
+use crate::emit::escape::push_plain_line;
 use crate::facts::{FactLine, Table, Totals, facts};
 use crate::model::Model;
 
@@ -62,13 +60,34 @@ fn widths(table: Table) -> (usize, usize) {
 }
 
 fn push(line: &FactLine<'_>, out: &mut String) {
-    let (key, value) = (plain_line(&line.key), plain_line(&line.value));
-    let class = line.class.map_or_else(|| "own".to_owned(), |c| plain_line(&c.to_string()));
-    let cite = line.cite.map_or_else(String::new, |c| format!("  {}", plain_line(&c.to_string())));
-    let erratum = line.erratum.map_or_else(String::new, |e| format!("  [{}]", plain_line(e)));
     let (rows, fields) = widths(line.table);
-    // Writing to a String cannot fail.
-    let _ = writeln!(out, "{key:<rows$}  {:<fields$}  {value:<32}  {class}{cite}{erratum}", line.field);
+    column(out, &line.key, rows);
+    column(out, &line.field, fields);
+    column(out, &line.value, 32);
+    match line.class {
+        Some(class) => push_plain_line(out, &class.to_string()),
+        None => out.push_str("own"),
+    }
+    if let Some(cite) = line.cite {
+        out.push_str("  ");
+        push_plain_line(out, &cite.to_string());
+    }
+    if let Some(erratum) = line.erratum {
+        out.push_str("  [");
+        push_plain_line(out, erratum);
+        out.push(']');
+    }
+    out.push('\n');
+}
+
+/// `text` in a column of at least `width` characters, and the gap behind it.
+fn column(out: &mut String, text: &str, width: usize) {
+    const BLANKS: &str = "                                ";
+    let start = out.len();
+    push_plain_line(out, text);
+    let missing = width.saturating_sub(out[start..].chars().count());
+    out.push_str(&BLANKS[..missing.min(BLANKS.len())]);
+    out.push_str("  ");
 }
 
 fn last(totals: &Totals) -> String {

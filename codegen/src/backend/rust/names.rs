@@ -14,8 +14,10 @@ pub(super) fn ident(name: &Name, case: Case) -> String {
 }
 
 fn is_keyword(text: &str) -> bool {
+    // No keyword but `Self` has anything but small letters: that saves asking for nearly every name.
+    let word = text == "Self" || text.bytes().all(|b| b.is_ascii_lowercase());
     // `gen` is a keyword from edition 2024 on, which a user's crate may have.
-    text == "gen" || syn::parse_str::<syn::Ident>(text).is_err()
+    word && (text == "gen" || syn::parse_str::<syn::Ident>(text).is_err())
 }
 
 /// Hands out identifiers, each once: a second use gets a number.
