@@ -133,7 +133,7 @@ fn section(
     section
 }
 
-/// The highest sub-index of an object; FFh is none of the object's own.
+/// The highest sub-index of an object; `FFh` is none of the object's own.
 pub(super) fn highest(object: &Object, model: &Model) -> Option<u8> {
     object.entries.iter().map(|id| model.entries[*id].address.sub).filter(|sub| *sub != 0xFF).max()
 }

@@ -169,7 +169,10 @@ plain! {
 mod tests {
     use super::*;
 
-    struct Fields<'a>(bool, &'a [(&'static str, &'a dyn Fn(&mut Writer, &'static str))]);
+    /// Writes a field under its key.
+    type Field<'a> = (&'static str, &'a dyn Fn(&mut Writer, &'static str));
+
+    struct Fields<'a>(bool, &'a [Field<'a>]);
 
     impl Json for Fields<'_> {
         const NESTED: bool = true;
