@@ -2,6 +2,8 @@
 
 #![allow(clippy::expect_used, clippy::panic, clippy::disallowed_methods, reason = "a test runs the program")]
 
+mod support;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -9,31 +11,14 @@ use std::process::{Command, Output};
 use drivewright_codegen::compile_folder;
 use serde_json::Value;
 
+use support::{err, folder, out, sdv3_e};
+
 /// Counts of a revolution of the virtual axis.
 const REVOLUTION: i64 = 131_072;
-
-fn sdv3_e() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../profiles/savch/sdv3-e")
-}
-
-fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("demo").join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("a folder");
-    folder
-}
 
 fn demo(profile: &Path, more: &[&str]) -> Output {
     let mut program = Command::new(env!("CARGO_BIN_EXE_drivewright"));
     program.arg("demo").arg(profile).args(more).output().expect("it runs")
-}
-
-fn out(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stdout).into_owned()
-}
-
-fn err(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
 /// The last line of the answer for programs.
@@ -143,7 +128,7 @@ fn people_read_a_trace_and_a_summary() {
 
 #[test]
 fn the_picture_is_the_same_every_time() {
-    let at = folder("plot");
+    let at = folder("demo", "plot");
     let draw = |name: &str| {
         let place = at.join(name);
         let ran = demo(&sdv3_e(), &["--quiet", "--plot", place.to_str().expect("UTF-8")]);
@@ -166,7 +151,7 @@ fn repository(name: &str) -> String {
 /// What the README shows is what the command prints, in that order, and draws.
 #[test]
 fn the_readme_shows_what_it_does() {
-    let place = folder("readme").join("demo.svg");
+    let place = folder("demo", "readme").join("demo.svg");
     let ran = demo(&sdv3_e(), &["--plot", place.to_str().expect("UTF-8")]);
     let (printed, readme) = (out(&ran), repository("README.md"));
     let (_, block) =
@@ -187,7 +172,7 @@ fn the_readme_shows_what_it_does() {
 
 #[test]
 fn a_drive_without_modes_is_not_shown() {
-    let at = folder("bare");
+    let at = folder("demo", "bare");
     fs::write(at.join("drive.toml"), include_str!("../../codegen/tests/fixtures/drive.toml"))
         .expect("a file");
     let ran = demo(&at, &[]);
@@ -205,7 +190,7 @@ fn a_drive_without_modes_is_not_shown() {
 
 /// A drive without process data and homing, and with these alarms.
 fn small(name: &str, alarms: &str) -> PathBuf {
-    let at = folder(name);
+    let at = folder("demo", name);
     fs::write(at.join("drive.toml"), include_str!("../../codegen/tests/fixtures/drive.toml"))
         .expect("a file");
     let object = |(at, name, ty, access, unit): (&str, &str, &str, &str, &str)| {

@@ -2,23 +2,16 @@
 
 #![allow(clippy::expect_used, clippy::panic, clippy::disallowed_methods, reason = "a test runs the program")]
 
+mod support;
+
 use std::fs;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
 use drivewright_codegen::compile_folder;
 
-fn sdv3_e() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../profiles/savch/sdv3-e")
-}
-
-fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("simulate").join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("a folder");
-    folder
-}
+use support::{err, folder, out, sdv3_e};
 
 /// Runs a script on the SDV3-E.
 fn simulate(script: &str, more: &[&str]) -> Output {
@@ -32,14 +25,6 @@ fn run(profile: &Path, script: &str, more: &[&str]) -> Output {
     let mut child = program.spawn().expect("it starts");
     child.stdin.take().expect("a pipe").write_all(script.as_bytes()).expect("it reads");
     child.wait_with_output().expect("it ends")
-}
-
-fn out(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stdout).into_owned()
-}
-
-fn err(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
 /// From power-on to operation enabled in profile velocity mode, with process data.
@@ -185,7 +170,7 @@ fn assumptions_are_told_with_reasons_unless_it_is_to_be_quiet() {
 
 #[test]
 fn the_trace_is_the_same_every_time_and_in_every_form() {
-    let at = folder("trace");
+    let at = folder("simulate", "trace");
     let (plot, csv) = (at.join("t.svg"), at.join("t.csv"));
     let (plot, csv) = (plot.to_str().expect("UTF-8"), csv.to_str().expect("UTF-8"));
     let script = format!("{ENABLE}note away\nexchange 60FF=3000\nrun 100ms\n");
@@ -218,7 +203,7 @@ fn programs_get_an_object_a_line() {
 /// A drive of which nothing is stated is a drive all the same.
 #[test]
 fn any_profile_can_be_simulated() {
-    let at = folder("bare");
+    let at = folder("simulate", "bare");
     fs::write(at.join("drive.toml"), include_str!("../../codegen/tests/fixtures/drive.toml"))
         .expect("a file");
     let ran = run(&at, "run 200ms\nrefused read 6041\nstate\n", &["--quiet"]);

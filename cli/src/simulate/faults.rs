@@ -13,80 +13,46 @@ struct Kind {
     plan: fn(u32) -> (Disturbance, u32),
 }
 
+const fn kind(name: &'static str, does: &'static str, plan: fn(u32) -> (Disturbance, u32)) -> Kind {
+    Kind { name, does, plan }
+}
+
 /// As long as the simulation runs.
 const ALWAYS: u32 = u32::MAX;
 
 const KINDS: &[Kind] = &[
-    Kind {
-        name: "lost-pdo",
-        does: "so many cycles of process data do not arrive",
-        plan: |n| (Disturbance::LostCycle, n),
-    },
-    Kind {
-        name: "frozen-pdo",
-        does: "for so many cycles what the drive sends stays as it was",
-        plan: |n| (Disturbance::FrozenInputs, n),
-    },
-    Kind {
-        name: "short-pdo",
-        does: "for so many cycles what the drive sends has a byte less",
-        plan: |n| (Disturbance::ShortInputs, n),
-    },
-    Kind {
-        name: "lost-request",
-        does: "so many SDO requests do not arrive",
-        plan: |n| (Disturbance::LostRequest, n),
-    },
-    Kind {
-        name: "lost-answer",
-        does: "so many SDO answers do not arrive",
-        plan: |n| (Disturbance::LostAnswer, n),
-    },
-    Kind {
-        name: "late-answer",
-        does: "the next SDO answer comes so many milliseconds later",
-        plan: |n| (Disturbance::LateAnswer(low(n)), 1),
-    },
-    Kind {
-        name: "short-answer",
-        does: "so many SDO answers have a byte less",
-        plan: |n| (Disturbance::ShortAnswer, n),
-    },
-    Kind {
-        name: "long-answer",
-        does: "so many SDO answers have a byte more",
-        plan: |n| (Disturbance::LongAnswer, n),
-    },
-    Kind {
-        name: "wrong-abort",
-        does: "the next SDO transfer is refused with this abort code",
-        plan: |n| (Disturbance::WrongAbort(AbortCode(n)), 1),
-    },
-    Kind {
-        name: "stuck-on",
-        does: "these bits of the statusword are 1 for a master",
-        plan: |n| (Disturbance::StuckStatus { mask: low(n), value: low(n) }, ALWAYS),
-    },
-    Kind {
-        name: "stuck-off",
-        does: "these bits of the statusword are 0 for a master",
-        plan: |n| (Disturbance::StuckStatus { mask: low(n), value: 0 }, ALWAYS),
-    },
-    Kind {
-        name: "no-torque",
-        does: "the drive must not make torque for so many cycles of process data",
-        plan: |n| (Disturbance::NoTorque, n),
-    },
-    Kind {
-        name: "mains-dip",
-        does: "the main supply is off for so many cycles of process data",
-        plan: |n| (Disturbance::MainsDip, n),
-    },
-    Kind {
-        name: "supply-dip",
-        does: "the control supply is off for so many cycles of process data",
-        plan: |n| (Disturbance::SupplyDip, n),
-    },
+    kind("lost-pdo", "so many cycles of process data do not arrive", |n| (Disturbance::LostCycle, n)),
+    kind("frozen-pdo", "for so many cycles what the drive sends stays as it was", |n| {
+        (Disturbance::FrozenInputs, n)
+    }),
+    kind("short-pdo", "for so many cycles what the drive sends has a byte less", |n| {
+        (Disturbance::ShortInputs, n)
+    }),
+    kind("lost-request", "so many SDO requests do not arrive", |n| (Disturbance::LostRequest, n)),
+    kind("lost-answer", "so many SDO answers do not arrive", |n| (Disturbance::LostAnswer, n)),
+    kind("late-answer", "the next SDO answer comes so many milliseconds later", |n| {
+        (Disturbance::LateAnswer(low(n)), 1)
+    }),
+    kind("short-answer", "so many SDO answers have a byte less", |n| (Disturbance::ShortAnswer, n)),
+    kind("long-answer", "so many SDO answers have a byte more", |n| (Disturbance::LongAnswer, n)),
+    kind("wrong-abort", "the next SDO transfer is refused with this abort code", |n| {
+        (Disturbance::WrongAbort(AbortCode(n)), 1)
+    }),
+    kind("stuck-on", "these bits of the statusword are 1 for a master", |n| {
+        (Disturbance::StuckStatus { mask: low(n), value: low(n) }, ALWAYS)
+    }),
+    kind("stuck-off", "these bits of the statusword are 0 for a master", |n| {
+        (Disturbance::StuckStatus { mask: low(n), value: 0 }, ALWAYS)
+    }),
+    kind("no-torque", "the drive must not make torque for so many cycles of process data", |n| {
+        (Disturbance::NoTorque, n)
+    }),
+    kind("mains-dip", "the main supply is off for so many cycles of process data", |n| {
+        (Disturbance::MainsDip, n)
+    }),
+    kind("supply-dip", "the control supply is off for so many cycles of process data", |n| {
+        (Disturbance::SupplyDip, n)
+    }),
 ];
 
 #[allow(clippy::cast_possible_truncation, reason = "what is above has no meaning there")]

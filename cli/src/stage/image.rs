@@ -2,7 +2,7 @@
 
 use drivewright_runtime::Address;
 use drivewright_runtime::mapping::Direction;
-use drivewright_runtime::pdo::MapEntry;
+use drivewright_runtime::pdo::{MapEntry, byte_len};
 use drivewright_runtime::sim::VirtualDrive;
 
 /// What is exchanged in a direction, in order.
@@ -26,14 +26,9 @@ fn sub(n: u32) -> u8 {
     u8::try_from(n).unwrap_or(u8::MAX)
 }
 
-/// Bytes of the frame.
-pub(crate) fn bytes(entries: &[MapEntry]) -> usize {
-    entries.iter().map(|entry| usize::from(entry.bits())).sum::<usize>().div_ceil(8)
-}
-
 /// Lays values out, the lowest bit first.
 pub(crate) fn pack(entries: &[MapEntry], value: impl Fn(Address) -> i128) -> Vec<u8> {
-    let mut frame = vec![0; bytes(entries)];
+    let mut frame = vec![0; byte_len(entries)];
     let mut at = 0;
     for entry in entries {
         let value = value(entry.address());
